@@ -1,0 +1,15 @@
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace bruma {
+
+/// The candidate with the smallest edit distance to `word` (Damerau, transpositions count one), or an empty string
+/// when none is closer than about half the word.
+std::string nearest_name(std::string_view word, std::span<const std::string> candidates);
+
+/// "; did you mean 'X'?" or "; known are A, B, C" — the tail of every 'unknown name' message.
+std::string suggestion(std::string_view word, std::span<const std::string> candidates);
+
+}  // namespace bruma

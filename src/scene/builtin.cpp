@@ -1,0 +1,3 @@
+#include "scene/builtin.h"
+
+#include "base/error.h"

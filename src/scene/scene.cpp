@@ -1,0 +1,170 @@
+#include "scene/scene.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <set>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+
+namespace bruma::scene {
+namespace {
+
+bool all_finite(glm::dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+void check_parents(const Scene& scene) {
+    std::vector<std::string> known;
+    for (const auto& [name, node] : scene.nodes) {
+        known.push_back(name);
+    }
+    for (const auto& [name, node] : scene.nodes) {
+        std::set<std::string> seen{name};
+        for (const Node* at = &node; !at->parent.empty();) {
+            const auto parent = scene.nodes.find(at->parent);
+            if (parent == scene.nodes.end()) {
+                throw InputError(fmt::format("nodes.{}: its parent '{}' does not exist{}", name, at->parent,
+                                             suggestion(at->parent, known)));
+            }
+            if (!seen.insert(at->parent).second) {
+                throw InputError(fmt::format(
+                    "nodes.{}: its parents form a circle through '{}'; let one of them have no parent", name,
+                    at->parent));
+            }
+            at = &parent->second;
+        }
+    }
+}
+
+void check_volume(const std::string& name, const Volume& volume) {
+    const ClipBox& clip = *volume.clip;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(clip.low[axis] < clip.high[axis])) {
+            throw InputError(fmt::format(
+                "nodes.{}.clip: along {} nothing is left between low {} and high {}; low must be below high", name,
+                "xyz"[axis], clip.low[axis], clip.high[axis]));
+        }
+    }
+    const TransferFunction& tf = *volume.transfer_function;
+    if (tf.domain[0] == tf.domain[1]) {
+        throw InputError(fmt::format("nodes.{}.transfer_function.domain: both ends are {}; give it some width", name,
+                                     tf.domain[0]));
+    }
+    const VolumeOptics& optics = *volume.optics;
+    if (optics.gradient_soft_from > optics.gradient_soft_to) {
+        throw InputError(fmt::format("nodes.{}: gradient_soft_from {} is above gradient_soft_to {}; swap them", name,
+                                     optics.gradient_soft_from, optics.gradient_soft_to));
+    }
+}
+
+}  // namespace
+
+glm::dmat4 parent_from_model(const Transform& transform) {
+    const glm::dvec3 angles = glm::radians(transform.rotation_deg);
+    glm::dmat4 m = glm::translate(glm::dmat4(1.0), transform.translation);
+    m = glm::rotate(m, angles.z, glm::dvec3(0.0, 0.0, 1.0));
+    m = glm::rotate(m, angles.y, glm::dvec3(0.0, 1.0, 0.0));
+    m = glm::rotate(m, angles.x, glm::dvec3(1.0, 0.0, 0.0));
+    return glm::scale(m, transform.scale);
+}
+
+glm::dmat4 world_from_model(const Scene& scene, const std::string& node_name) {
+    glm::dmat4 m(1.0);
+    for (const Node* node = &scene.nodes.at(node_name);; node = &scene.nodes.at(node->parent)) {
+        m = parent_from_model(*node->transform) * m;
+        if (node->parent.empty()) {
+            return m;
+        }
+    }
+}
+
+glm::dmat4 world_from_texture(const Scene& scene, const std::string& node_name) {
+    const auto& volume = std::get<Volume>(scene.nodes.at(node_name).content);
+    const glm::dvec3 extent = (*volume.grid)->extent();
+    const glm::dmat4 model_from_texture =
+        glm::scale(glm::translate(glm::dmat4(1.0), -0.5 * extent), extent);
+    return world_from_model(scene, node_name) * model_from_texture;
+}
+
+bool is_shown(const Scene& scene, const std::string& node_name) {
+    for (const Node* node = &scene.nodes.at(node_name);; node = &scene.nodes.at(node->parent)) {
+        if (!node->visible) {
+            return false;
+        }
+        if (node->parent.empty()) {
+            return true;
+        }
+    }
+}
+
+void check(const Scene& scene) {
+    check_parents(scene);
+    for (const auto& [name, node] : scene.nodes) {
+        const Transform& transform = *node.transform;
+        if (!all_finite(transform.translation) || !all_finite(transform.rotation_deg) ||
+            !all_finite(transform.scale) || transform.scale.x * transform.scale.y * transform.scale.z == 0.0) {
+            throw InputError(fmt::format(
+                "nodes.{}: scale ({}, {}, {}) cannot be undone; every part must be finite and not 0", name,
+                transform.scale.x, transform.scale.y, transform.scale.z));
+        }
+        if (const auto* volume = std::get_if<Volume>(&node.content)) {
+            check_volume(name, *volume);
+        }
+    }
+    for (const auto& [name, light] : scene.lights) {
+        if (light->kind == LightKind::directional && !(glm::length(light->direction_world) > 0.0)) {
+            throw InputError(fmt::format("lights.{}.direction: (0, 0, 0) points nowhere; give the way to the light",
+                                         name));
+        }
+    }
+    if (scene.camera) {
+        const Camera& camera = **scene.camera;
+        if (camera.eye_world == camera.target_world) {
+            throw InputError(fmt::format("camera: eye and target are both ({}, {}, {}); move one of them",
+                                         camera.eye_world.x, camera.eye_world.y, camera.eye_world.z));
+        }
+    }
+}
+
+Bounds world_bounds(const Scene& scene) {
+    bool empty = true;
+    Bounds bounds;
+    for (const std::string& name : shown_volumes(scene)) {
+        const glm::dmat4 m = world_from_texture(scene, name);
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::dvec3 p = m * glm::dvec4(corner & 1, (corner >> 1) & 1, (corner >> 2) & 1, 1.0);
+            bounds.low = empty ? p : glm::min(bounds.low, p);
+            bounds.high = empty ? p : glm::max(bounds.high, p);
+            empty = false;
+        }
+    }
+    return empty ? Bounds{glm::dvec3(-0.5), glm::dvec3(0.5)} : bounds;
+}
+
+Camera fit_camera(const Bounds& bounds, double aspect, glm::dvec3 back_world, glm::dvec3 up_world) {
+    Camera camera;
+    const glm::dvec3 center = 0.5 * (bounds.low + bounds.high);
+    const double radius = std::max(1e-12, 0.5 * glm::length(bounds.high - bounds.low));
+    const double half_angle = glm::radians(0.5 * camera.vertical_angle_deg);
+    // The narrower of the two angles must still hold the bounding sphere.
+    const double half_narrow = std::atan(std::tan(half_angle) * std::min(1.0, aspect));
+    camera.target_world = center;
+    camera.eye_world = center + glm::normalize(back_world) * (radius / std::sin(half_narrow));
+    camera.up_world = up_world;
+    camera.view_height = 2.0 * radius / std::min(1.0, aspect);
+    camera.near_distance = 1e-3 * radius;
+    return camera;
+}
+
+std::vector<std::string> shown_volumes(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const auto& [name, node] : scene.nodes) {
+        if (std::holds_alternative<Volume>(node.content) && is_shown(scene, name)) {
+            names.push_back(name);
+        }
+    }
+    return names;
+}
+
+}  // namespace bruma::scene

@@ -1,0 +1,141 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "base/revision.h"
+#include "scene/transfer_function.h"
+#include "scene/volume_grid.h"
+
+namespace bruma::scene {
+
+enum class Endian { little, big };
+template <>
+inline std::span<const std::string_view> enum_words<Endian>() {
+    static constexpr std::array<std::string_view, 2> words{"little", "big"};
+    return words;
+}
+
+/// Where a volume's samples come from, and what a headerless file does not say. Empty parts are found out from the
+/// file name, a sidecar .json or the data.
+struct VolumeSource {
+    std::string file;  ///< path (relative to the scene file when read from one) or builtin:NAME
+    std::optional<glm::ivec3> size;
+    std::optional<VoxelType> type;
+    std::optional<glm::dvec3> spacing;  ///< metres; 1 mm when nothing tells
+    std::optional<Endian> endian;
+    std::optional<std::int64_t> offset;  ///< bytes before the first sample
+    bool operator==(const VolumeSource&) const = default;
+};
+
+template <class Self, class Visitor>
+    requires std::same_as<std::remove_const_t<Self>, VolumeSource>
+void visit_fields(Self& source, Visitor&& visit) {
+    visit(Field{.name = "file", .sentence = "path of the samples, relative to the scene file, or builtin:NAME"},
+          source.file);
+    visit(Field{.name = "size", .sentence = "samples along x, y, z; null: find out", .min = 1}, source.size);
+    visit(Field{.name = "type", .sentence = "type of a sample; null: find out"}, source.type);
+    visit(Field{.name = "spacing", .unit = "m", .sentence = "length between samples; null: find out", .min = 0.0},
+          source.spacing);
+    visit(Field{.name = "endian", .sentence = "byte order of the file"}, source.endian);
+    visit(Field{.name = "offset", .unit = "byte", .sentence = "bytes before the first sample", .min = 0},
+          source.offset);
+}
+
+/// How a volume is lit where its samples are turned into colour.
+enum class VolumeLighting { none, gradient };
+template <>
+inline std::span<const std::string_view> enum_words<VolumeLighting>() {
+    static constexpr std::array<std::string_view, 2> words{"none", "gradient"};
+    return words;
+}
+
+/// Exponent law of the highlight: angle to the mirrored light (Phong) or to the half vector (Blinn-Phong).
+enum class Highlight { phong, blinn_phong };
+template <>
+inline std::span<const std::string_view> enum_words<Highlight>() {
+    static constexpr std::array<std::string_view, 2> words{"phong", "blinn_phong"};
+    return words;
+}
+
+/// How light is turned into the source radiance S of the emission-absorption integral.
+struct VolumeOptics {
+    VolumeLighting lighting = VolumeLighting::none;
+    Highlight highlight = Highlight::blinn_phong;
+    double density_scale = 1.0;     ///< multiplies the extinction
+    double ambient = 0.15;          ///< share of the colour seen without light
+    double diffuse = 0.85;          ///< share of the colour under a light of unit irradiance at normal incidence
+    double specular = 0.2;          ///< strength of the highlight, in the light's colour
+    double shininess = 30.0;        ///< exponent of the highlight
+    bool two_sided = true;          ///< light both sides of thin sheets: |n.l| instead of max(n.l, 0)
+    double gradient_soft_from = 0.002;  ///< gradients below this are unshaded, as a share of the data range per voxel
+    double gradient_soft_to = 0.02;     ///< gradients above this are fully shaded; smooth in between
+    bool operator==(const VolumeOptics&) const = default;
+};
+
+template <class Self, class Visitor>
+    requires std::same_as<std::remove_const_t<Self>, VolumeOptics>
+void visit_fields(Self& optics, Visitor&& visit) {
+    visit(Field{.name = "lighting", .sentence = "none: colour as it is; gradient: surfaces lit by their normals"},
+          optics.lighting);
+    visit(Field{.name = "highlight", .sentence = "exponent law of the highlight"}, optics.highlight);
+    visit(Field{.name = "density_scale",
+                .sentence = "multiplies the extinction everywhere",
+                .min = 0.0,
+                .max = 1e9,
+                .panel_min = 0.01,
+                .panel_max = 100.0,
+                .logarithmic = true},
+          optics.density_scale);
+    visit(Field{.name = "ambient", .sentence = "share of the colour seen without light", .min = 0.0, .max = 10.0,
+                .panel_max = 1.0},
+          optics.ambient);
+    visit(Field{.name = "diffuse", .sentence = "share of the colour under full light", .min = 0.0, .max = 10.0,
+                .panel_max = 1.0},
+          optics.diffuse);
+    visit(Field{.name = "specular", .sentence = "strength of the highlight", .min = 0.0, .max = 10.0,
+                .panel_max = 1.0},
+          optics.specular);
+    visit(Field{.name = "shininess", .sentence = "exponent of the highlight: larger is smaller and sharper",
+                .min = 1.0, .max = 1000.0, .panel_min = 1.0, .panel_max = 200.0, .logarithmic = true},
+          optics.shininess);
+    visit(Field{.name = "two_sided", .sentence = "light both sides of thin sheets"}, optics.two_sided);
+    visit(Field{.name = "gradient_soft_from",
+                .sentence = "gradients below this share of the data range per voxel are left unshaded",
+                .min = 0.0, .max = 1.0, .panel_max = 0.1},
+          optics.gradient_soft_from);
+    visit(Field{.name = "gradient_soft_to",
+                .sentence = "gradients above this share of the data range per voxel are fully shaded",
+                .min = 0.0, .max = 1.0, .panel_max = 0.2},
+          optics.gradient_soft_to);
+}
+
+/// The part of a volume that is shown, in texture space [0,1]^3.
+struct ClipBox {
+    glm::dvec3 low{0.0}, high{1.0};
+    bool operator==(const ClipBox&) const = default;
+};
+
+template <class Self, class Visitor>
+    requires std::same_as<std::remove_const_t<Self>, ClipBox>
+void visit_fields(Self& clip, Visitor&& visit) {
+    visit(Field{.name = "low", .sentence = "lower corner of the shown part, 0..1 along each axis", .min = 0.0,
+                .max = 1.0, .panel_max = 1.0},
+          clip.low);
+    visit(Field{.name = "high", .sentence = "upper corner of the shown part, 0..1 along each axis", .min = 0.0,
+                .max = 1.0, .panel_max = 1.0},
+          clip.high);
+}
+
+/// A measured volume and how it is shown. Model space: metres, the box centred on the origin, axes of the data.
+struct Volume {
+    VolumeSource source;
+    Tracked<std::shared_ptr<const VolumeGrid>> grid;  ///< never null in a scene that is ready to render
+    Tracked<TransferFunction> transfer_function;
+    Tracked<VolumeOptics> optics;
+    Tracked<ClipBox> clip;
+};
+
+/// Data value at both ends of the transfer function: its window, else the data's range, widened if empty.
+std::array<double, 2> effective_window(const Volume& volume);
+
+}  // namespace bruma::scene
