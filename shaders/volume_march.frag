@@ -1,0 +1,88 @@
+#version 450 core
+// Emission and absorption of measured volumes along each pixel's ray, over the background.
+// VOLUMES: how many. LIT: gradient shading. GLOW: some volume shines by itself.
+// SAMPLE_AT_MIDPOINTS, LEAP, STOP_EARLY, COUNT: see include/march.glsl.
+
+#include "include/random.glsl"
+#include "include/optical_depth.glsl"
+#include "include/ray_box.glsl"
+#include "include/volume.glsl"
+#include "include/march.glsl"
+
+layout(location = 0) out vec4 picture;  // linear radiance; alpha = 1 - transmittance
+#ifdef COUNT
+layout(location = 1) out uvec2 counts;  // samples, queries of emptiness
+#endif
+
+uniform vec2 pixels;                     // size of the picture
+uniform int orthographic;
+uniform vec2 half_view;                  // perspective: tangents; orthographic: half sizes in steps
+uniform float near_steps;                // distance of the near plane along the view axis
+// The camera's axes in texture space of each volume, per step; [3] is the eye.
+uniform mat4 texture_from_camera[VOLUMES];
+uniform vec3 clip_low[VOLUMES];
+uniform vec3 clip_high[VOLUMES];
+uniform float stop_transmittance;
+uniform int jitter;                      // 0 off, 1 hashed, 2 blue noise
+uniform sampler2D blue_noise;
+uniform vec3 background_top;
+uniform vec3 background_bottom;
+#ifdef LIT
+uniform mat3 world_from_camera;
+#endif
+
+float first_segment_length()
+{
+    if (jitter == 1) {
+        return 1.0 - random_unit(uvec2(gl_FragCoord.xy), 0u, 0u);
+    }
+    if (jitter == 2) {
+        return 1.0 - texelFetch(blue_noise, ivec2(gl_FragCoord.xy) % textureSize(blue_noise, 0), 0).x;
+    }
+    return 1.0;
+}
+
+void main()
+{
+    vec2 ndc = gl_FragCoord.xy / pixels * 2.0 - 1.0;
+    vec2 across = ndc * half_view;
+    // In camera axes (right, up, back): where the ray starts and its direction, both in steps.
+    vec3 start = orthographic != 0 ? vec3(across, 0.0) : vec3(0.0);
+    vec3 toward = orthographic != 0 ? vec3(0.0, 0.0, -1.0) : vec3(across, -1.0);
+    float stretch = length(toward);
+    vec3 direction = toward / stretch;
+
+    March m = March(1e30, -1e30, first_segment_length(), stop_transmittance);
+    for (int v = 0; v < VOLUMES; ++v) {
+        Volume volume;
+        volume.origin = (texture_from_camera[v] * vec4(start, 1.0)).xyz;
+        volume.direction = mat3(texture_from_camera[v]) * direction;
+        volume.low = clip_low[v];
+        volume.high = clip_high[v];
+        ray_volumes[v] = volume;
+        vec2 stretch_of_ray = ray_box(volume.origin, volume.direction, volume.low, volume.high);
+        ray_enter[v] = max(stretch_of_ray.x, near_steps * stretch);
+        ray_leave[v] = stretch_of_ray.y;
+        if (ray_leave[v] > ray_enter[v]) {
+            m.t_in = min(m.t_in, ray_enter[v]);
+            m.t_out = max(m.t_out, ray_leave[v]);
+        }
+    }
+#ifdef LIT
+    ray_direction_world = world_from_camera * direction;
+    ray_origin_steps = world_from_camera * start;
+#endif
+    vec3 background = mix(background_bottom, background_top, gl_FragCoord.y / pixels.y);
+    if (!(m.t_out > m.t_in)) {
+        picture = vec4(background, 0.0);
+#ifdef COUNT
+        counts = uvec2(0u);
+#endif
+        return;
+    }
+    Marched marched = march(m);
+    picture = vec4(marched.radiance + marched.transmittance * background, 1.0 - marched.transmittance);
+#ifdef COUNT
+    counts = uvec2(marched.samples, marched.queries);
+#endif
+}

@@ -1,0 +1,284 @@
+#include "render/passes/march_pass.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "render/blue_noise.h"
+
+namespace bruma::render {
+namespace {
+
+constexpr int most_lights = 8;
+
+void make_targets(Picture& picture, glm::ivec2 pixels) {
+    if (!picture.color || glm::ivec2(picture.color.size()) != pixels) {
+        picture.framebuffer = {};
+        picture.color = gl::Texture::make_2d("picture", GL_RGBA32F, pixels);
+        picture.framebuffer = gl::Framebuffer("picture", {&picture.color});
+    }
+}
+
+void make_targets(SampleCounts& counts, glm::ivec2 pixels) {
+    if (!counts.counts || glm::ivec2(counts.counts.size()) != pixels) {
+        counts.framebuffer = {};
+        counts.picture = gl::Texture::make_2d("picture while counting", GL_RGBA32F, pixels);
+        counts.counts = gl::Texture::make_2d("sample counts", GL_RG32UI, pixels);
+        counts.framebuffer = gl::Framebuffer("sample counts", {&counts.picture, &counts.counts});
+    }
+}
+
+void set_lights(gl::Program& program, const std::vector<scene::Light>& lights, const scene::Camera& camera,
+                double step_world) {
+    const glm::dvec3 back = scene::camera_frame(camera).back_world;
+    int count = 0;
+    for (const scene::Light& light : lights) {
+        if (count == most_lights) {
+            break;
+        }
+        const bool is_point = light.kind == scene::LightKind::point;
+        glm::dvec3 irradiance = light.color * light.intensity;
+        glm::dvec3 toward = back;
+        if (is_point) {
+            irradiance /= step_world * step_world;
+            toward = (light.position_world - camera.eye_world) / step_world;
+        } else if (light.kind == scene::LightKind::directional) {
+            toward = glm::normalize(light.direction_world);
+        }
+        program.set_at("lights", count, ".irradiance", glm::vec3(irradiance));
+        program.set_at("lights", count, ".toward", glm::vec3(toward));
+        program.set_at("lights", count, ".is_point", is_point ? 1 : 0);
+        ++count;
+    }
+    program.set("light_count", count);
+}
+
+void set_surface(gl::Program& program, int index, const scene::VolumeOptics& optics) {
+    program.set_at("surface", index, ".ambient", float(optics.ambient));
+    program.set_at("surface", index, ".diffuse", float(optics.diffuse));
+    program.set_at("surface", index, ".specular", float(optics.specular));
+    program.set_at("surface", index, ".shininess", float(optics.shininess));
+    program.set_at("surface", index, ".blinn_phong", optics.highlight == scene::Highlight::blinn_phong ? 1 : 0);
+    program.set_at("surface", index, ".two_sided", optics.two_sided ? 1 : 0);
+    // Unlit among lit ones: no gradient is ever steep enough.
+    const bool lit = optics.lighting != scene::VolumeLighting::none;
+    program.set_at("surface", index, ".soft_from", lit ? float(optics.gradient_soft_from) : 1e30F);
+    program.set_at("surface", index, ".soft_to", lit ? float(optics.gradient_soft_to) : 1e30F);
+}
+
+}  // namespace
+
+MarchPass::MarchPass(FrameGraph& graph, gl::ShaderLibrary& shaders) : graph_(graph), shaders_(shaders) {
+    camera_ = graph.add_source<scene::Camera>("camera");
+    background_ = graph.add_source<scene::Background>("background");
+    shader_revision_ = graph.add_source<int>("shaders");
+    picture = graph.add_product<Picture>("picture");
+    counts = graph.add_product<SampleCounts>("sample counts");
+    march_ = graph.add_pass({"march", "light along every pixel's ray, through all volumes, over the background", {},
+                             {picture.index}, {}});
+    count_ = graph.add_pass({"count samples", "the same march, counting what it looks up", {}, {counts.index}, {}});
+}
+
+void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const View& view, double step_world) {
+    graph_.set_source(camera_, **scene.camera, scene.camera->revision());
+    graph_.set_source(background_, *scene.background, scene.background.revision());
+    graph_.set_source(shader_revision_, 0, shaders_.revision());
+
+    Parameters parameters{view, *scene.rendering, step_world * view.step_scale, {}, {}, false};
+    std::vector<int> reads{camera_.index, background_.index, shader_revision_.index};
+    for (const auto& [name, passes] : volumes) {
+        const auto& volume = std::get<scene::Volume>(scene.nodes.at(name).content);
+        const scene::VolumeGrid& grid = **volume.grid;
+        VolumeInput input{passes->voxels, passes->gradients, passes->tables, passes->emptiness,
+                          scene::world_from_texture(scene, name), *volume.clip, *volume.optics,
+                          scene::effective_window(volume),
+                          volume.optics->density_scale / volume.transfer_function->reference_length,
+                          grid.largest > grid.smallest ? grid.largest - grid.smallest : 1.0};
+        reads.insert(reads.end(), {input.voxels.index, input.tables.index});
+        if (scene.rendering->empty_space_skipping) {
+            reads.push_back(input.emptiness.index);
+        }
+        if (input.optics.lighting != scene::VolumeLighting::none) {
+            reads.push_back(input.gradients.index);
+            parameters.lit = true;
+        }
+        parameters.volumes.push_back(std::move(input));
+    }
+    if (parameters.lit) {
+        for (const auto& [name, light] : scene.lights) {
+            if (light->on) {
+                parameters.lights.push_back(*light);
+            }
+        }
+    }
+    for (const PassId pass : {march_, count_}) {
+        graph_.set_reads(pass, reads);
+        graph_.set_parameters(pass, parameters);
+    }
+    graph_.set_execute(march_, [this, parameters](const PassAccess& access) { draw(access, parameters, false); });
+    graph_.set_execute(count_, [this, parameters](const PassAccess& access) { draw(access, parameters, true); });
+}
+
+gl::Program& MarchPass::program(const PassAccess& access, const Parameters& parameters, bool counting) {
+    if (parameters.volumes.empty()) {
+        return shaders_.get("background.frag");
+    }
+    gl::Defines defines{{"VOLUMES", std::to_string(parameters.volumes.size())}};
+    if (parameters.lit) {
+        defines["LIT"] = "";
+        defines["MAX_LIGHTS"] = std::to_string(most_lights);
+        for (const VolumeInput& input : parameters.volumes) {
+            if (access.read(input.tables).tables.glows) {
+                defines["GLOW"] = "";
+            }
+        }
+    }
+    if (parameters.settings.classification == scene::Classification::post) {
+        defines["SAMPLE_AT_MIDPOINTS"] = "";
+    }
+    if (parameters.settings.empty_space_skipping) {
+        defines["LEAP"] = "";
+    }
+    if (parameters.settings.early_termination) {
+        defines["STOP_EARLY"] = "";
+    }
+    if (counting) {
+        defines["COUNT"] = "";
+    }
+    return shaders_.get("volume_march.frag", defines);
+}
+
+void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, const Parameters& parameters, int index,
+                            GLuint& unit, const scene::Camera& camera) {
+    const VolumeInput& input = parameters.volumes[std::size_t(index)];
+    // An empty texture unbinds the unit: sampling it gives (0, 0, 0, 1). Every sampler gets a unit of its own even so,
+    // since samplers of different kinds may not share one.
+    const auto bind = [&](const char* sampler, const gl::Texture& texture) {
+        texture.bind(unit);
+        program.set_at(sampler, index, "", int(unit));
+        ++unit;
+    };
+    const VolumeTexture& voxels = access.read(input.voxels);
+    const TableTextures& tables = access.read(input.tables);
+    bind("voxels", voxels.texture);
+    if (parameters.settings.classification == scene::Classification::post) {
+        bind("optics_table", tables.optics);
+    } else {
+        bind("depth_table", tables.depth);
+        bind("source_table", tables.source);
+    }
+    if (parameters.lit) {
+        bind("glow_table", tables.glow);
+    }
+    const double width = input.window[1] - input.window[0];
+    program.set_at("u_from_voxel", index, "",
+                   glm::vec2((voxels.value_of_one - voxels.value_of_zero) / width,
+                             (voxels.value_of_zero - input.window[0]) / width));
+    program.set_at("tau_scale", index, "", float(input.tau_per_sigma_metre * parameters.step_world));
+
+    const glm::dmat4 texture_from_world = glm::inverse(input.world_from_texture);
+    const glm::dmat3 linear(texture_from_world);
+    const scene::CameraFrame frame = scene::camera_frame(camera);
+    const double h = parameters.step_world;
+    glm::dmat4 texture_from_camera(1.0);
+    texture_from_camera[0] = glm::dvec4(linear * (frame.right_world * h), 0.0);
+    texture_from_camera[1] = glm::dvec4(linear * (frame.up_world * h), 0.0);
+    texture_from_camera[2] = glm::dvec4(linear * (frame.back_world * h), 0.0);
+    texture_from_camera[3] = texture_from_world * glm::dvec4(camera.eye_world, 1.0);
+    program.set_at("texture_from_camera", index, "", glm::mat4(texture_from_camera));
+    program.set_at("clip_low", index, "", glm::vec3(input.clip.low));
+    program.set_at("clip_high", index, "", glm::vec3(input.clip.high));
+
+    if (parameters.settings.empty_space_skipping) {
+        const EmptinessTexture& emptiness = access.read(input.emptiness);
+        bind("emptiness", emptiness.distance);
+        program.set_at("cells_from_texture", index, "", glm::vec3(emptiness.voxels) / float(emptiness.edge));
+    }
+    if (parameters.lit) {
+        set_surface(program, index, input.optics);
+    }
+    if (input.optics.lighting != scene::VolumeLighting::none) {
+        const GradientTexture& gradients = access.read(input.gradients);
+        bind("gradients", gradients.texture);
+        const glm::dvec3 size(voxels.texture.size());
+        double smallest_edge = 1e300;
+        for (int k = 0; k < 3; ++k) {
+            smallest_edge = std::min(smallest_edge, glm::length(glm::dvec3(input.world_from_texture[k])) / size[k]);
+        }
+        // Per voxel -> per texture unit -> per metre (inverse transpose) -> data ranges per smallest voxel edge.
+        glm::dmat3 scale(1.0);
+        for (int k = 0; k < 3; ++k) {
+            scale[k][k] = size[k];
+        }
+        const glm::dmat3 world_from_gradient = glm::transpose(linear) * scale *
+                                               (gradients.difference_per_texel *
+                                                smallest_edge / input.data_range);
+        program.set_at("world_from_gradient", index, "", glm::mat3(world_from_gradient));
+        program.set_at("gradient_zero", index, "", glm::vec3(float(gradients.texel_of_zero)));
+    } else if (parameters.lit) {
+        bind("gradients", gl::Texture());
+    }
+}
+
+void MarchPass::draw(const PassAccess& access, const Parameters& parameters, bool counting) {
+    const glm::ivec2 pixels = parameters.view.pixels;
+    if (counting) {
+        make_targets(access.write(counts), pixels);
+        access.write(counts).framebuffer.bind();
+    } else {
+        make_targets(access.write(picture), pixels);
+        access.write(picture).framebuffer.bind();
+    }
+    gl::Program& shader = program(access, parameters, counting);
+    const scene::Camera& camera = access.read(camera_);
+    const scene::Background& background = access.read(background_);
+    const double h = parameters.step_world;
+    shader.set("pixels", glm::vec2(pixels));
+    shader.set("background_top", glm::vec3(background.top));
+    shader.set("background_bottom", glm::vec3(background.bottom));
+    if (!parameters.volumes.empty()) {
+        const bool orthographic = camera.projection == scene::Projection::orthographic;
+        const double half_height = orthographic ? 0.5 * camera.view_height / h
+                                                : std::tan(glm::radians(0.5 * camera.vertical_angle_deg));
+        shader.set("orthographic", orthographic ? 1 : 0);
+        shader.set("half_view", glm::vec2(half_height * pixels.x / pixels.y, half_height));
+        shader.set("near_steps", float(camera.near_distance / h));
+        shader.set("stop_transmittance", float(parameters.settings.stop_transmittance));
+        shader.set("jitter", int(parameters.settings.jitter));
+        GLuint unit = 0;
+        if (parameters.settings.jitter == scene::Jitter::blue_noise) {
+            if (!blue_noise_) {
+                constexpr int edge = 64;
+                std::vector<float> tile;
+                for (const std::uint16_t rank : make_blue_noise(edge)) {
+                    tile.push_back(float(rank) / (edge * edge));
+                }
+                blue_noise_ = gl::Texture::make_2d("blue noise", GL_R32F, {edge, edge});
+                blue_noise_.upload({GL_RED, GL_FLOAT}, tile.data());
+            }
+            blue_noise_.bind(unit);
+            shader.set("blue_noise", int(unit++));
+        } else {
+            // Samplers of different kinds may not share a unit, so an idle one gets a unit of its own.
+            shader.set("blue_noise", int(unit++));
+        }
+        if (parameters.lit) {
+            const scene::CameraFrame frame = scene::camera_frame(camera);
+            shader.set("world_from_camera", glm::mat3(glm::dmat3(frame.right_world, frame.up_world, frame.back_world)));
+            set_lights(shader, parameters.lights, camera, h);
+        }
+        for (std::size_t n = 0; n < parameters.volumes.size(); ++n) {
+            bind_volume(access, shader, parameters, int(n), unit, camera);
+        }
+    }
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_CULL_FACE);
+    glBindVertexArray(no_vertices_.name());
+    shader.use();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    access.note(fmt::format("{} x {} pixels, step {:.3g} mm", pixels.x, pixels.y, 1e3 * h));
+}
+
+}  // namespace bruma::render

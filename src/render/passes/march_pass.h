@@ -1,0 +1,84 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gl/shader_library.h"
+#include "render/passes/volume_passes.h"
+
+namespace bruma::render {
+
+/// The picture in linear Rec.709 radiance, alpha = 1 - transmittance; bottom row first, as OpenGL has it.
+struct Picture {
+    gl::Texture color;
+    gl::Framebuffer framebuffer;
+};
+
+/// Samples taken and emptiness queries made, per pixel.
+struct SampleCounts {
+    gl::Texture counts;
+    gl::Texture picture;
+    gl::Framebuffer framebuffer;
+};
+
+/// Where a picture is drawn and how coarsely; a viewer lowers both while something moves.
+struct View {
+    glm::ivec2 pixels{0};
+    double step_scale = 1.0;  ///< multiplies the step of the scene's settings
+    bool operator==(const View&) const = default;
+};
+
+/// The one view-dependent pass: marches all shown volumes over the background.
+class MarchPass {
+  public:
+    MarchPass(FrameGraph& graph, gl::ShaderLibrary& shaders);
+
+    using Volumes = std::map<std::string, std::unique_ptr<VolumePasses>>;
+    /// Hands the graph this frame's sources and parameters.
+    void update(const scene::Scene& scene, const Volumes& volumes, const View& view, double step_world);
+
+    Handle<Picture> picture;
+    Handle<SampleCounts> counts;
+
+  private:
+    struct VolumeInput {
+        Handle<VolumeTexture> voxels;
+        Handle<GradientTexture> gradients;
+        Handle<TableTextures> tables;
+        Handle<EmptinessTexture> emptiness;
+        glm::dmat4 world_from_texture{1.0};
+        scene::ClipBox clip;
+        scene::VolumeOptics optics;
+        std::array<double, 2> window{0.0, 1.0};
+        double tau_per_sigma_metre = 1.0;  ///< density / reference length
+        double data_range = 1.0;
+        bool operator==(const VolumeInput&) const = default;
+    };
+    struct Parameters {
+        View view;
+        scene::RenderSettings settings;
+        double step_world = 1.0;
+        std::vector<VolumeInput> volumes;
+        std::vector<scene::Light> lights;
+        bool lit = false;
+        bool operator==(const Parameters&) const = default;
+    };
+
+    void draw(const PassAccess& access, const Parameters& parameters, bool counting);
+    gl::Program& program(const PassAccess& access, const Parameters& parameters, bool counting);
+    void bind_volume(const PassAccess& access, gl::Program& program, const Parameters& parameters, int index,
+                     GLuint& unit, const scene::Camera& camera);
+
+    FrameGraph& graph_;
+    gl::ShaderLibrary& shaders_;
+    gl::VertexArray no_vertices_{"no vertices"};
+    gl::Texture blue_noise_;
+    Handle<scene::Camera> camera_;
+    Handle<scene::Background> background_;
+    Handle<int> shader_revision_;
+    PassId march_, count_;
+};
+
+}  // namespace bruma::render

@@ -1,0 +1,41 @@
+#include "render/presenter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bruma::render {
+
+void Presenter::draw(const Picture& picture, const scene::Display& display, glm::ivec2 pixels) {
+    gl::Program& program = shaders_.get("composite.frag");
+    program.set("picture", 0);
+    program.set("pixels", glm::vec2(pixels));
+    program.set("exposure", float(std::exp2(display.exposure_ev)));
+    program.set("filmic", display.tone_map == scene::ToneMap::filmic ? 1 : 0);
+    program.set("dither", display.dither ? 1 : 0);
+    picture.color.bind(0);
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_SCISSOR_TEST);
+    glBindVertexArray(no_vertices_.name());
+    program.use();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+std::vector<std::uint8_t> Presenter::read(const Picture& picture, const scene::Display& display) {
+    const glm::ivec2 size(picture.color.size());
+    const gl::Texture target = gl::Texture::make_2d("display", GL_RGBA8, size);
+    const gl::Framebuffer framebuffer("display", {&target});
+    framebuffer.bind();
+    draw(picture, display, size);
+    const std::size_t row = std::size_t(4) * size.x;
+    std::vector<std::uint8_t> bottom_up(row * size.y);
+    target.download({GL_RGBA, GL_UNSIGNED_BYTE}, bottom_up.size(), bottom_up.data());
+    std::vector<std::uint8_t> bytes(bottom_up.size());
+    for (int y = 0; y < size.y; ++y) {
+        std::copy_n(bottom_up.begin() + std::ptrdiff_t(row * (size.y - 1 - y)), row,
+                    bytes.begin() + std::ptrdiff_t(row * y));
+    }
+    return bytes;
+}
+
+}  // namespace bruma::render

@@ -1,0 +1,94 @@
+#include "render/renderer.h"
+
+#include <algorithm>
+
+namespace bruma::render {
+
+Renderer::Renderer(gl::ShaderLibrary& shaders) : shaders_(shaders), march_(graph_, shaders) {
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+}
+
+double Renderer::step_world(const scene::Scene& scene) {
+    double smallest = 1e300;
+    for (const std::string& name : scene::shown_volumes(scene)) {
+        const auto& volume = std::get<scene::Volume>(scene.nodes.at(name).content);
+        const glm::dmat4 world_from_texture = scene::world_from_texture(scene, name);
+        for (int k = 0; k < 3; ++k) {
+            smallest = std::min(smallest,
+                                glm::length(glm::dvec3(world_from_texture[k])) / (*volume.grid)->size[k]);
+        }
+    }
+    return smallest < 1e300 ? smallest * scene.rendering->step : 1.0;
+}
+
+void Renderer::update(const scene::Scene& scene, const View& view) {
+    const std::vector<std::string> shown = scene::shown_volumes(scene);
+    for (const std::string& name : shown) {
+        if (!volumes_.contains(name)) {
+            volumes_[name] = std::make_unique<VolumePasses>(graph_, name);
+        }
+    }
+    std::erase_if(volumes_, [&](const auto& entry) {
+        const bool gone = std::find(shown.begin(), shown.end(), entry.first) == shown.end();
+        if (gone) {
+            entry.second->remove();
+        }
+        return gone;
+    });
+    const double step = step_world(scene);
+    for (const auto& [name, passes] : volumes_) {
+        passes->update(std::get<scene::Volume>(scene.nodes.at(name).content), *scene.rendering, step);
+    }
+    march_.update(scene, volumes_, view, step);
+}
+
+const RunReport& Renderer::render(const scene::Scene& scene, const View& view, bool measure_gpu) {
+    update(scene, view);
+    FrameGraph::Stopwatch stopwatch;
+    if (measure_gpu) {
+        stopwatch = [this](const std::function<void()>& body) {
+            glFinish();
+            glBeginQuery(GL_TIME_ELAPSED, timer_.name());
+            body();
+            glEndQuery(GL_TIME_ELAPSED);
+            glFinish();
+            GLuint64 nanoseconds = 0;
+            glGetQueryObjectui64v(timer_.name(), GL_QUERY_RESULT, &nanoseconds);
+            return double(nanoseconds) * 1e-6;
+        };
+    }
+    return graph_.run({march_.picture.index}, stopwatch);
+}
+
+const Picture& Renderer::picture() const { return *graph_.product(march_.picture); }
+
+Image Renderer::read_picture() const {
+    const gl::Texture& color = picture().color;
+    const glm::ivec3 size = color.size();
+    Image bottom_up(size.x, size.y);
+    color.download({GL_RGBA, GL_FLOAT}, bottom_up.rgba.size() * sizeof(float), bottom_up.rgba.data());
+    Image image(size.x, size.y);
+    for (int y = 0; y < size.y; ++y) {
+        std::copy_n(bottom_up.pixel(0, size.y - 1 - y), std::size_t(4) * size.x, image.pixel(0, y));
+    }
+    return image;
+}
+
+SampleTotals Renderer::count_samples(const scene::Scene& scene, const View& view) {
+    update(scene, view);
+    graph_.run({march_.picture.index, march_.counts.index});
+    SampleTotals totals;
+    if (!volumes_.empty()) {
+        const gl::Texture& counts = graph_.product(march_.counts)->counts;
+        std::vector<glm::uvec2> pixels(std::size_t(view.pixels.x) * view.pixels.y);
+        counts.download({GL_RG_INTEGER, GL_UNSIGNED_INT}, pixels.size() * sizeof(glm::uvec2), pixels.data());
+        for (const glm::uvec2 pixel : pixels) {
+            totals.samples += pixel.x;
+            totals.emptiness_queries += pixel.y;
+        }
+        totals.samples_per_pixel = double(totals.samples) / double(pixels.size());
+    }
+    return totals;
+}
+
+}  // namespace bruma::render

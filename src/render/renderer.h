@@ -1,0 +1,51 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <set>
+
+#include "base/image.h"
+#include "gl/shader_library.h"
+#include "render/frame_graph.h"
+#include "render/passes/march_pass.h"
+#include "scene/scene.h"
+
+namespace bruma::render {
+
+/// Sums over all pixels of the counting march.
+struct SampleTotals {
+    std::uint64_t samples = 0;
+    std::uint64_t emptiness_queries = 0;
+    double samples_per_pixel = 0.0;
+};
+
+/// Pictures of a scene. Keeps a frame graph between pictures, so that each one costs only what changed.
+class Renderer {
+  public:
+    explicit Renderer(gl::ShaderLibrary& shaders);
+
+    /// Brings the picture up to date; the scene needs a camera, and its volumes their grids. With `measure_gpu` each
+    /// pass is timed with the GPU drained before and after.
+    const RunReport& render(const scene::Scene& scene, const View& view, bool measure_gpu = false);
+
+    /// The last picture, still on the GPU.
+    const Picture& picture() const;
+    /// The last picture in memory, top row first, linear.
+    Image read_picture() const;
+    /// Counts the samples of the last view by drawing it once more; `picture` is not touched.
+    SampleTotals count_samples(const scene::Scene& scene, const View& view);
+
+    const FrameGraph& graph() const { return graph_; }
+    /// World length of a step for this scene, metres.
+    static double step_world(const scene::Scene& scene);
+
+  private:
+    void update(const scene::Scene& scene, const View& view);
+
+    FrameGraph graph_;
+    gl::ShaderLibrary& shaders_;
+    MarchPass march_;
+    MarchPass::Volumes volumes_;
+    gl::Timer timer_{"pass timer"};
+};
+
+}  // namespace bruma::render

@@ -1,0 +1,203 @@
+#include "render/volume_texture.h"
+
+#include <fmt/core.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/error.h"
+
+namespace bruma::render {
+namespace {
+
+/// Calls `fill(z, slice)` for batches of slices and uploads them: a batch is a few megabytes, never the whole volume.
+template <class Texel, class Fill>
+void upload_in_batches(gl::Texture& texture, glm::ivec3 size, gl::PixelFormat format, std::size_t texels_per_voxel,
+                       const Fill& fill) {
+    const std::size_t slice = std::size_t(size.x) * size.y * texels_per_voxel;
+    const int batch = int(std::clamp<std::size_t>((std::size_t(8) << 20) / (slice * sizeof(Texel)), 1, size.z));
+    std::vector<Texel> texels(slice * batch);
+    for (int first = 0; first < size.z; first += batch) {
+        const int count = std::min(batch, size.z - first);
+        tbb::parallel_for(0, count, [&](int n) { fill(first + n, texels.data() + slice * n); });
+        texture.upload_slices(first, count, format, texels.data());
+    }
+}
+
+void check_edges(const scene::VolumeGrid& grid) {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &most);
+    if (std::max({grid.size.x, grid.size.y, grid.size.z}) > most) {
+        throw InputError(fmt::format("{}: {} x {} x {} samples, but this driver takes at most {} along an edge; "
+                                     "cut or thin out the volume",
+                                     grid.name, grid.size.x, grid.size.y, grid.size.z, most));
+    }
+}
+
+}  // namespace
+
+bool filters_8bit_texels_precisely() {
+    // A gathered half-way texel between 0 and 1/255, drawn into a float pixel by blitting cannot filter floats, so the
+    // question is put to the sampler by a compute shader of three lines.
+    static const char* const source = R"(#version 450 core
+layout(local_size_x = 1) in;
+layout(binding = 0) uniform sampler3D two_texels;
+layout(std430, binding = 0) buffer Answer { float between; };
+void main() { between = textureLod(two_texels, vec3(0.5, 0.5, 0.5), 0.0).x * 255.0; })";
+    gl::Texture texture = gl::Texture::make_3d("8-bit filter probe", GL_R8, {2, 1, 1});
+    const std::uint8_t texels[2] = {0, 1};
+    texture.upload({GL_RED, GL_UNSIGNED_BYTE}, texels);
+    const GLuint program = glCreateShaderProgramv(GL_COMPUTE_SHADER, 1, &source);
+    GLuint buffer = 0;
+    glCreateBuffers(1, &buffer);
+    float answer = 0.0F;
+    glNamedBufferStorage(buffer, sizeof answer, &answer, 0);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer);
+    texture.bind(0);
+    glUseProgram(program);
+    glDispatchCompute(1, 1, 1);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glGetNamedBufferSubData(buffer, 0, sizeof answer, &answer);
+    glUseProgram(0);
+    glDeleteBuffers(1, &buffer);
+    glDeleteProgram(program);
+    return std::abs(answer - 0.5F) < 0.1F;
+}
+
+VolumeTexture make_volume_texture(const scene::VolumeGrid& grid) {
+    using scene::VoxelType;
+    check_edges(grid);
+    VolumeTexture result;
+    const std::size_t slice = std::size_t(grid.size.x) * grid.size.y;
+    const auto make = [&](GLenum format) { return gl::Texture::make_3d(grid.name + ": voxels", format, grid.size); };
+    switch (grid.type) {
+        case VoxelType::uint8:
+        case VoxelType::int8: {
+            const int low = grid.type == VoxelType::int8 ? -128 : 0;
+            result.value_of_zero = low;
+            result.value_of_one = low + 255;
+            const auto* bytes = reinterpret_cast<const std::uint8_t*>(grid.voxels.data());
+            const std::uint8_t flip = grid.type == VoxelType::int8 ? 0x80 : 0x00;  // two's complement to offset binary
+            if (filters_8bit_texels_precisely()) {
+                result.texture = make(GL_R8);
+                upload_in_batches<std::uint8_t>(result.texture, grid.size, {GL_RED, GL_UNSIGNED_BYTE}, 1,
+                                                [&](int z, std::uint8_t* out) {
+                                                    for (std::size_t n = 0; n < slice; ++n) {
+                                                        out[n] = std::uint8_t(bytes[slice * z + n] ^ flip);
+                                                    }
+                                                });
+            } else {
+                result.texture = make(GL_R16);
+                upload_in_batches<std::uint16_t>(result.texture, grid.size, {GL_RED, GL_UNSIGNED_SHORT}, 1,
+                                                 [&](int z, std::uint16_t* out) {
+                                                     for (std::size_t n = 0; n < slice; ++n) {
+                                                         out[n] = std::uint16_t((bytes[slice * z + n] ^ flip) * 257);
+                                                     }
+                                                 });
+            }
+            break;
+        }
+        case VoxelType::uint16:
+        case VoxelType::int16: {
+            const int low = grid.type == VoxelType::int16 ? -32768 : 0;
+            result.value_of_zero = low;
+            result.value_of_one = low + 65535;
+            const auto* words = reinterpret_cast<const std::uint16_t*>(grid.voxels.data());
+            const std::uint16_t flip = grid.type == VoxelType::int16 ? 0x8000 : 0x0000;
+            result.texture = make(GL_R16);
+            upload_in_batches<std::uint16_t>(result.texture, grid.size, {GL_RED, GL_UNSIGNED_SHORT}, 1,
+                                             [&](int z, std::uint16_t* out) {
+                                                 for (std::size_t n = 0; n < slice; ++n) {
+                                                     out[n] = std::uint16_t(words[slice * z + n] ^ flip);
+                                                 }
+                                             });
+            break;
+        }
+        case VoxelType::float32: {
+            // Mapped to [0,1] in double, so that neither 1e30 nor a large offset costs digits in the shader.
+            const double width = grid.largest > grid.smallest ? grid.largest - grid.smallest : 1.0;
+            result.value_of_zero = grid.smallest;
+            result.value_of_one = grid.smallest + width;
+            const auto* floats = reinterpret_cast<const float*>(grid.voxels.data());
+            result.texture = make(GL_R32F);
+            upload_in_batches<float>(result.texture, grid.size, {GL_RED, GL_FLOAT}, 1, [&](int z, float* out) {
+                for (std::size_t n = 0; n < slice; ++n) {
+                    out[n] = float((double(floats[slice * z + n]) - grid.smallest) / width);
+                }
+            });
+            break;
+        }
+    }
+    return result;
+}
+
+namespace {
+
+/// Twice the difference per voxel along each axis at sample (x, y, z).
+template <class T>
+glm::dvec3 doubled_differences(const T* samples, glm::ivec3 size, int x, int y, int z) {
+    const std::size_t strides[3] = {1, std::size_t(size.x), std::size_t(size.x) * size.y};
+    const T* here = samples + (std::size_t(z) * size.y + y) * size.x + x;
+    const int at[3] = {x, y, z};
+    glm::dvec3 result(0.0);
+    for (int k = 0; k < 3; ++k) {
+        if (size[k] == 1) {
+            continue;
+        }
+        const bool first = at[k] == 0;
+        const bool last = at[k] == size[k] - 1;
+        const double difference = double(last ? *here : *(here + strides[k])) -
+                                  double(first ? *here : *(here - strides[k]));
+        result[k] = first || last ? 2.0 * difference : difference;
+    }
+    return result;
+}
+
+}  // namespace
+
+GradientTexture make_gradient_texture(const scene::VolumeGrid& grid) {
+    check_edges(grid);
+    GradientTexture result;
+    const std::string label = grid.name + ": gradients";
+    if (scene::bytes_per_voxel(grid.type) == 1) {
+        // Doubled differences of bytes are whole numbers in [-510, 510]: ten bits hold them without loss.
+        result.texture = gl::Texture::make_3d(label, GL_RGB10_A2, grid.size);
+        result.texel_of_zero = 511.0 / 1023.0;
+        result.difference_per_texel = 1023.0 / 2.0;
+        scene::visit_voxels(grid, [&](auto samples) {
+            upload_in_batches<std::uint32_t>(
+                result.texture, grid.size, {GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV}, 1, [&](int z, std::uint32_t* out) {
+                    for (int y = 0; y < grid.size.y; ++y) {
+                        for (int x = 0; x < grid.size.x; ++x) {
+                            const glm::ivec3 d(doubled_differences(samples.data(), grid.size, x, y, z) + 511.0);
+                            *out++ = std::uint32_t(d.x) | std::uint32_t(d.y) << 10 | std::uint32_t(d.z) << 20;
+                        }
+                    }
+                });
+        });
+        return result;
+    }
+    const double range = grid.largest > grid.smallest ? grid.largest - grid.smallest : 1.0;
+    result.texture = gl::Texture::make_3d(label, GL_RGBA16_SNORM, grid.size);
+    result.difference_per_texel = range;
+    scene::visit_voxels(grid, [&](auto samples) {
+        upload_in_batches<std::int16_t>(
+            result.texture, grid.size, {GL_RGBA, GL_SHORT}, 4, [&](int z, std::int16_t* out) {
+                for (int y = 0; y < grid.size.y; ++y) {
+                    for (int x = 0; x < grid.size.x; ++x) {
+                        const glm::dvec3 share =
+                            doubled_differences(samples.data(), grid.size, x, y, z) * (0.5 / range);
+                        for (int k = 0; k < 3; ++k) {
+                            *out++ = std::int16_t(std::lround(32767.0 * std::clamp(share[k], -1.0, 1.0)));
+                        }
+                        *out++ = 0;
+                    }
+                }
+            });
+    });
+    return result;
+}
+
+}  // namespace bruma::render
