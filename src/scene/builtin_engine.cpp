@@ -20,15 +20,20 @@ double box(const glm::dvec3& p, const glm::dvec3& centre, const glm::dvec3& half
     return glm::length(glm::max(q, glm::dvec3(0.0))) + std::min(std::max({q.x, q.y, q.z}), 0.0) - rounding;
 }
 
+/// std::hypot guards against overflow that cannot happen here, at several times the cost.
+double length2(double a, double b) {
+    return std::sqrt(a * a + b * b);
+}
+
 /// Cylinder along y between two heights.
 double post(const glm::dvec3& p, double x, double z, double radius, double low, double high) {
-    const double across = std::hypot(p.x - x, p.z - z) - radius;
+    const double across = length2(p.x - x, p.z - z) - radius;
     return std::max(across, std::abs(p.y - 0.5 * (low + high)) - 0.5 * (high - low));
 }
 
 /// Cylinder along x.
 double shaft(const glm::dvec3& p, double y, double z, double radius, double low, double high) {
-    const double across = std::hypot(p.y - y, p.z - z) - radius;
+    const double across = length2(p.y - y, p.z - z) - radius;
     return std::max(across, std::abs(p.x - 0.5 * (low + high)) - 0.5 * (high - low));
 }
 
