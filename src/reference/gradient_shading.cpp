@@ -24,7 +24,10 @@ glm::dvec3 unit_or_zero(glm::dvec3 v) {
 
 GradientShading::GradientShading(const scene::Scene& scene, const scene::VolumeOptics& optics,
                                  double smallest_voxel_edge, double data_range)
-    : optics_(optics), share_per_gradient_(data_range > 0.0 ? smallest_voxel_edge / data_range : 0.0) {
+    : optics_(optics),
+      share_per_gradient_(data_range > 0.0 ? smallest_voxel_edge / data_range : 0.0),
+      // A highlight cos^n is about 1 / sqrt(n) wide.
+      largest_turn_(std::min(0.5, 2.0 / std::sqrt(std::max(1.0, optics.specular > 0.0 ? optics.shininess : 1.0)))) {
     const glm::dvec3 back_world = scene::camera_frame(**scene.camera).back_world;
     for (const auto& [name, light] : scene.lights) {
         if (!light->on) {
@@ -38,6 +41,27 @@ GradientShading::GradientShading(const scene::Scene& scene, const scene::VolumeO
                                          : unit_or_zero(light->direction_world),
                           light->color * light->intensity});
     }
+}
+
+void GradientShading::append_bends(glm::dvec3 gradient_world, glm::dvec3 position_world, glm::dvec3 ray_direction_world,
+                                   std::vector<double>& bends) const {
+    const double share = glm::length(gradient_world) * share_per_gradient_;
+    bends.push_back(share - optics_.gradient_soft_from);
+    bends.push_back(share - optics_.gradient_soft_to);
+    bends.push_back(glm::dot(gradient_world, ray_direction_world));
+    for (const Lamp& lamp : lamps_) {
+        const glm::dvec3 to_light = lamp.is_point ? lamp.place_world - position_world : lamp.place_world;
+        bends.push_back(glm::dot(gradient_world, to_light));
+    }
+}
+
+bool GradientShading::is_resolved(glm::dvec3 begin, glm::dvec3 middle, glm::dvec3 end) const {
+    if (share_per_gradient_ == 0.0) {
+        return true;
+    }
+    const double change = std::max({glm::length(middle - begin), glm::length(end - middle), glm::length(end - begin)});
+    const double length = std::min({glm::length(begin), glm::length(middle), glm::length(end)});
+    return change <= largest_turn_ * std::max(length, optics_.gradient_soft_from / share_per_gradient_);
 }
 
 double GradientShading::highlight(glm::dvec3 normal, glm::dvec3 to_light, glm::dvec3 to_eye) const {

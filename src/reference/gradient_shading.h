@@ -18,6 +18,16 @@ class GradientShading {
     glm::dvec3 lit(glm::dvec3 color, glm::dvec3 gradient_world, glm::dvec3 position_world,
                    glm::dvec3 ray_direction_world) const;
 
+    /// Appends numbers whose change of sign along a ray marks a bend or a jump of `lit`: the normal turning over
+    /// against the eye or a light, and both ends of the soft stretch of gradients. Always the same count, in the same
+    /// order.
+    void append_bends(glm::dvec3 gradient_world, glm::dvec3 position_world, glm::dvec3 ray_direction_world,
+                      std::vector<double>& bends) const;
+
+    /// Whether the shading changes little between three neighbouring gradients on a ray. Where the gradient passes near
+    /// 0 the normal swings round within a sliver of a cell, which quadrature would miss without noticing.
+    bool is_resolved(glm::dvec3 begin, glm::dvec3 middle, glm::dvec3 end) const;
+
   private:
     struct Lamp {
         bool is_point;
@@ -28,6 +38,7 @@ class GradientShading {
 
     scene::VolumeOptics optics_;
     double share_per_gradient_;  ///< share of the data range per voxel, for a gradient of 1 data unit per metre
+    double largest_turn_;        ///< of the gradient, relative to its length, that counts as resolved
     std::vector<Lamp> lamps_;
 };
 

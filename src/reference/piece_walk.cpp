@@ -8,6 +8,7 @@ namespace bruma::reference {
 PieceWalk::PieceWalk(const PreparedVolume& volume, const scene::Ray& ray, bool leap)
     : volume_(&volume),
       leap_(leap),
+      ray_(ray),
       origin_texture_(volume.texture_from_world * glm::dvec4(ray.origin_world, 1.0)),
       // Not made a unit vector, so that t stays a distance in the world.
       direction_texture_(glm::dmat3(volume.texture_from_world) * ray.direction_world),
@@ -185,8 +186,53 @@ void PieceWalk::push(double x0, double x1, double length, double t1) {
     const double end = x1 == 1.0 ? t1 : cell_t0_ + x1 * length;
     const CurveStretch& stretch = volume_->curves.stretch_at(u_.at(0.5 * (x0 + x1)));
     if (end > begin && !(leap_ && stretch.transparent)) {
-        pieces_.push_back({begin, end, &stretch});
+        cut_at_bends({begin, end, &stretch}, 0);
     }
+}
+
+void PieceWalk::cut_at_bends(RayPiece piece, int depth) {
+    constexpr int deepest = 12;  // of a cell: where the gradient is exactly 0, the normal jumps at any scale
+    if (volume_->shading && depth < deepest) {
+        const double middle = piece.t0 + 0.5 * (piece.t1 - piece.t0);
+        const double cut = volume_->shading->is_resolved(gradient_world_at(piece.t0), gradient_world_at(middle),
+                                                         gradient_world_at(piece.t1))
+                               ? bend_in(piece)
+                               : middle;
+        if (cut > piece.t0 && cut < piece.t1) {
+            cut_at_bends({piece.t0, cut, piece.stretch}, depth + 1);
+            cut_at_bends({cut, piece.t1, piece.stretch}, depth + 1);
+            return;
+        }
+    }
+    pieces_.push_back(piece);
+}
+
+double PieceWalk::bend_in(RayPiece piece) {
+    const auto bends_at = [&](double t, std::vector<double>& bends) {
+        bends.clear();
+        volume_->shading->append_bends(gradient_world_at(t), ray_.origin_world + t * ray_.direction_world,
+                                       ray_.direction_world, bends);
+    };
+    bends_at(piece.t0, bends_begin_);
+    bends_at(piece.t1, bends_end_);
+    const double slack = 1e-9 * (piece.t1 - piece.t0);
+    for (std::size_t n = 0; n < bends_begin_.size(); ++n) {
+        if (bends_begin_[n] * bends_end_[n] >= 0.0) {
+            continue;
+        }
+        double low = piece.t0;
+        double high = piece.t1;
+        for (int turn = 0; turn < 50 && high - low > 0.0; ++turn) {
+            const double t = 0.5 * (low + high);
+            bends_at(t, bends_);
+            ((bends_[n] < 0.0) == (bends_begin_[n] < 0.0) ? low : high) = t;
+        }
+        // A root found before and rounded to the wrong side of an end is no cut.
+        if (low > piece.t0 + slack && low < piece.t1 - slack) {
+            return low;
+        }
+    }
+    return piece.t0;
 }
 
 }  // namespace bruma::reference

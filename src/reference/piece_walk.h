@@ -47,9 +47,12 @@ class PieceWalk {
     void load_cell(double t1);
     void cut_at_knots(double t1, double u_low, double u_high);
     void push(double x0, double x1, double length, double t1);
+    void cut_at_bends(RayPiece piece, int depth);
+    double bend_in(RayPiece piece);
 
     const PreparedVolume* volume_;
     bool leap_;
+    scene::Ray ray_;
     glm::dvec3 origin_texture_, direction_texture_;
     glm::dvec3 origin_voxel_, direction_voxel_;  ///< sample (i, j, k) at (i, j, k)
     glm::ivec3 cell_{0};
@@ -60,6 +63,7 @@ class PieceWalk {
     double cell_t0_ = 0.0, per_cell_length_ = 0.0;
     Cubic<double> u_;
     Cubic<glm::dvec3> gradient_world_;
+    std::vector<double> bends_begin_, bends_end_, bends_;  ///< scratch
 };
 
 }  // namespace bruma::reference
