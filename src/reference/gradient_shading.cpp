@@ -1,0 +1,114 @@
+#include "reference/gradient_shading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bruma::reference {
+namespace {
+
+double smoothstep(double from, double to, double x) {
+    if (from == to) {
+        return x >= from ? 1.0 : 0.0;
+    }
+    const double f = std::clamp((x - from) / (to - from), 0.0, 1.0);
+    return f * f * (3.0 - 2.0 * f);
+}
+
+/// The zero vector stays what it is.
+glm::dvec3 unit_or_zero(glm::dvec3 v) {
+    const double length = glm::length(v);
+    return length > 0.0 ? v / length : glm::dvec3(0.0);
+}
+
+}  // namespace
+
+GradientShading::GradientShading(const scene::Scene& scene, const scene::VolumeOptics& optics,
+                                 double smallest_voxel_edge, double data_range)
+    : optics_(optics),
+      share_per_gradient_(data_range > 0.0 ? smallest_voxel_edge / data_range : 0.0),
+      // A highlight cos^n is about 1 / sqrt(n) wide.
+      largest_turn_(std::min(0.5, 2.0 / std::sqrt(std::max(1.0, optics.specular > 0.0 ? optics.shininess : 1.0)))) {
+    const glm::dvec3 back_world = scene::camera_frame(**scene.camera).back_world;
+    for (const auto& [name, light] : scene.lights) {
+        if (!light->on) {
+            continue;
+        }
+        const bool is_point = light->kind == scene::LightKind::point;
+        const bool is_headlight = light->kind == scene::LightKind::headlight;
+        lamps_.push_back({is_point,
+                          is_point       ? light->position_world
+                          : is_headlight ? back_world
+                                         : unit_or_zero(light->direction_world),
+                          light->color * light->intensity});
+    }
+}
+
+void GradientShading::append_bends(glm::dvec3 gradient_world, glm::dvec3 position_world, glm::dvec3 ray_direction_world,
+                                   std::vector<double>& bends) const {
+    const double share = glm::length(gradient_world) * share_per_gradient_;
+    bends.push_back(share - optics_.gradient_soft_from);
+    bends.push_back(share - optics_.gradient_soft_to);
+    bends.push_back(glm::dot(gradient_world, ray_direction_world));
+    for (const Lamp& lamp : lamps_) {
+        const glm::dvec3 to_light = lamp.is_point ? lamp.place_world - position_world : lamp.place_world;
+        bends.push_back(glm::dot(gradient_world, to_light));
+    }
+}
+
+bool GradientShading::is_resolved(glm::dvec3 begin, glm::dvec3 middle, glm::dvec3 end) const {
+    if (share_per_gradient_ == 0.0) {
+        return true;
+    }
+    const double change = std::max({glm::length(middle - begin), glm::length(end - middle), glm::length(end - begin)});
+    const double length = std::min({glm::length(begin), glm::length(middle), glm::length(end)});
+    return change <= largest_turn_ * std::max(length, optics_.gradient_soft_from / share_per_gradient_);
+}
+
+double GradientShading::highlight(glm::dvec3 normal, glm::dvec3 to_light, glm::dvec3 to_eye) const {
+    const double cosine = optics_.highlight == scene::Highlight::blinn_phong
+                              ? glm::dot(normal, unit_or_zero(to_light + to_eye))
+                              : glm::dot(2.0 * glm::dot(normal, to_light) * normal - to_light, to_eye);
+    return cosine > 0.0 ? std::pow(cosine, optics_.shininess) : 0.0;
+}
+
+glm::dvec3 GradientShading::lit(glm::dvec3 color, glm::dvec3 gradient_world, glm::dvec3 position_world,
+                                glm::dvec3 ray_direction_world) const {
+    const double gradient = glm::length(gradient_world);
+    const double share = gradient * share_per_gradient_;
+    if (!(gradient > 0.0)) {
+        return color;
+    }
+    const double weight = smoothstep(optics_.gradient_soft_from, optics_.gradient_soft_to, share);
+    if (weight == 0.0) {
+        return color;
+    }
+    const glm::dvec3 to_eye = -ray_direction_world;
+    glm::dvec3 normal = gradient_world / -gradient;
+    if (optics_.two_sided && glm::dot(normal, to_eye) < 0.0) {
+        normal = -normal;
+    }
+    glm::dvec3 diffuse(0.0);
+    glm::dvec3 specular(0.0);
+    for (const Lamp& lamp : lamps_) {
+        glm::dvec3 to_light = lamp.place_world;
+        glm::dvec3 irradiance = lamp.irradiance;
+        if (lamp.is_point) {
+            to_light = lamp.place_world - position_world;
+            const double squared = glm::dot(to_light, to_light);
+            if (!(squared > 1e-200)) {  // in the lamp itself; also keeps 1 / squared finite
+                continue;
+            }
+            to_light /= std::sqrt(squared);
+            irradiance /= squared;
+        }
+        const double cosine = glm::dot(normal, to_light);
+        diffuse += irradiance * (optics_.two_sided ? std::abs(cosine) : std::max(cosine, 0.0));
+        if (cosine > 0.0) {
+            specular += irradiance * highlight(normal, to_light, to_eye);
+        }
+    }
+    const glm::dvec3 shaded = color * (optics_.ambient + optics_.diffuse * diffuse) + optics_.specular * specular;
+    return glm::mix(color, shaded, weight);
+}
+
+}  // namespace bruma::reference
