@@ -1,0 +1,136 @@
+#include "io/ascii_triangles.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "io/input_file.h"
+
+namespace bruma::io {
+namespace {
+
+bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == ',' || c == ';';
+}
+
+bool is_text(std::string_view bytes) {
+    return std::all_of(bytes.begin(), bytes.end(), [](char c) {
+        return (c >= ' ' && c <= '~') || c == '\t' || c == '\r' || c == '\n' || (static_cast<unsigned char>(c) >= 128);
+    });
+}
+
+std::string_view without_comment(std::string_view line) {
+    line = line.substr(0, line.find('#'));
+    while (!line.empty() && is_blank(line.front())) {
+        line.remove_prefix(1);
+    }
+    while (!line.empty() && is_blank(line.back())) {
+        line.remove_suffix(1);
+    }
+    return line;
+}
+
+/// The nine finite numbers of a line, or nothing.
+std::optional<std::array<double, 9>> nine_numbers(std::string_view line) {
+    std::array<double, 9> numbers{};
+    const char* at = line.data();
+    const char* const end = at + line.size();
+    for (double& number : numbers) {
+        while (at != end && is_blank(*at)) {
+            ++at;
+        }
+        if (at != end && *at == '+') {
+            ++at;
+        }
+        const auto [after, error] = std::from_chars(at, end, number);
+        if (error != std::errc() || !std::isfinite(number) || (after != end && !is_blank(*after))) {
+            return std::nullopt;
+        }
+        at = after;
+    }
+    while (at != end && is_blank(*at)) {
+        ++at;
+    }
+    return at == end ? std::optional(numbers) : std::nullopt;
+}
+
+class Reader {
+  public:
+    /// Takes one line; false when the file turns out not to hold triangles.
+    bool take(std::string_view line) {
+        ++line_number_;
+        const std::string_view content = without_comment(line);
+        if (content.empty()) {
+            return true;
+        }
+        const auto numbers = nine_numbers(content);
+        if (numbers) {
+            add(*numbers);
+        } else if (found_.count == 0) {
+            return false;
+        } else if (found_.first_bad_line == 0) {
+            found_.first_bad_line = line_number_;
+            found_.first_bad_text = content.substr(0, 60);
+        }
+        return true;
+    }
+    const AsciiTriangles& found() const { return found_; }
+
+  private:
+    void add(const std::array<double, 9>& n) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const glm::dvec3 p(n[3 * corner], n[3 * corner + 1], n[3 * corner + 2]);
+            const bool first = found_.count == 0 && corner == 0;
+            found_.low = first ? p : glm::min(found_.low, p);
+            found_.high = first ? p : glm::max(found_.high, p);
+        }
+        ++found_.count;
+    }
+
+    AsciiTriangles found_;
+    std::int64_t line_number_ = 0;
+};
+
+}  // namespace
+
+std::optional<AsciiTriangles> read_ascii_triangles(const std::filesystem::path& path) {
+    constexpr std::int64_t chunk_bytes = 1 << 20;
+    constexpr std::size_t longest_line = 4096;  // nine numbers need at most some 250
+    const InputFile file(path);
+    Reader reader;
+    std::string rest;
+    for (std::int64_t offset = 0; offset < file.size();) {
+        // A small first piece, so that a volume of many gigabytes is told apart after four kilobytes.
+        const std::int64_t length = std::min(offset == 0 ? 4096 : chunk_bytes, file.size() - offset);
+        const std::size_t before = rest.size();
+        rest.resize(before + std::size_t(length));
+        file.read(offset, std::as_writable_bytes(std::span(rest.data() + before, std::size_t(length))));
+        offset += length;
+        if (offset <= 4096 && !is_text(rest)) {
+            return std::nullopt;
+        }
+        std::size_t from = 0;
+        for (std::size_t end = rest.find('\n'); end != std::string::npos; end = rest.find('\n', from)) {
+            if (!reader.take(std::string_view(rest).substr(from, end - from))) {
+                return std::nullopt;
+            }
+            from = end + 1;
+        }
+        rest.erase(0, from);
+        if (rest.size() > longest_line) {
+            if (reader.found().count == 0) {
+                return std::nullopt;
+            }
+            rest.resize(longest_line);
+        }
+    }
+    if (!rest.empty() && !reader.take(rest)) {
+        return std::nullopt;
+    }
+    return reader.found().count > 0 ? std::optional(reader.found()) : std::nullopt;
+}
+
+}  // namespace bruma::io

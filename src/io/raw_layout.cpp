@@ -1,0 +1,149 @@
+#include "io/raw_layout.h"
+
+#include <fmt/core.h>
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "base/error.h"
+#include "io/input_file.h"
+#include "io/raw_name.h"
+#include "io/raw_proposals.h"
+#include "io/raw_sidecar.h"
+
+namespace bruma::io {
+namespace {
+
+constexpr std::int64_t most_voxels = std::int64_t(1) << 40;
+
+struct Teller {
+    const scene::VolumeSource* says;
+    std::string name;
+};
+
+/// The first teller that says a part wins; `from` becomes its name.
+template <class Part, class Value>
+bool take(const std::vector<Teller>& tellers, Part part, Value& value, std::string& from) {
+    for (const Teller& teller : tellers) {
+        if (const auto& said = teller.says->*part) {
+            value = *said;
+            from = teller.name;
+            return true;
+        }
+    }
+    from = "default";
+    return false;
+}
+
+void check_rest(const RawLayout& layout, const std::filesystem::path& path) {
+    if (layout.offset < 0) {
+        throw InputError(fmt::format("{}: offset {} ({}) is before the start of the file; it must be 0 or more",
+                                     path.string(), layout.offset, layout.offset_from));
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const double spacing = layout.spacing_m[axis];
+        if (!(spacing > 0.0 && spacing < 1e12)) {
+            throw InputError(fmt::format("{}: spacing {} m along {} ({}) is no length; it must be above 0",
+                                         path.string(), spacing, "xyz"[axis], layout.spacing_from));
+        }
+    }
+}
+
+[[noreturn]] void throw_unknown(const std::filesystem::path& path, const scene::VolumeSource& known, bool has_size,
+                                bool has_type) {
+    const char* missing = has_size ? "type of its samples" : has_type ? "size" : "size and type of its samples";
+    const char* options = has_size ? "--type TYPE" : has_type ? "--dims NXxNYxNZ" : "--dims NXxNYxNZ and --type TYPE";
+    const auto proposals = propose_layouts(path, known, 3);
+    std::string likely;
+    for (const RawProposal& proposal : proposals) {
+        likely += (likely.empty() ? "" : ", or ") + as_options(proposal);
+    }
+    throw InputError(fmt::format(
+        "{}: nothing tells the {}; say {}{}", path.string(), missing, options,
+        likely.empty() ? std::string(" (no usual layout fits its length)") : fmt::format("; likely are {}", likely)));
+}
+
+void check_length(const RawLayout& layout, const std::filesystem::path& path) {
+    const std::int64_t found = InputFile(path).size();
+    if (found == layout.bytes_needed()) {
+        return;
+    }
+    const std::string header = layout.offset > 0 ? fmt::format("an offset of {} and ", layout.offset) : "";
+    throw InputError(fmt::format("{}: {} bytes, but {}{} needs {}; are --dims{} --type{} wrong?", path.string(), found,
+                                 header, layout_words(layout.size, layout.type), layout.bytes_needed(),
+                                 layout.offset > 0 ? "," : " or", layout.offset > 0 ? " or --offset" : ""));
+}
+
+}  // namespace
+
+std::int64_t RawLayout::bytes_needed() const {
+    return offset + std::int64_t(size.x) * size.y * size.z * std::int64_t(scene::bytes_per_voxel(type));
+}
+
+std::string layout_words(glm::ivec3 size, scene::VoxelType type) {
+    return fmt::format("{} x {} x {} x {}", size.x, size.y, size.z,
+                       scene::enum_words<scene::VoxelType>()[std::size_t(type)]);
+}
+
+void check_size(glm::ivec3 size, const std::string& where) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (size[axis] < 1) {
+            throw InputError(fmt::format("{}: size {} x {} x {} has no samples along {}; every part must be at least 1",
+                                         where, size.x, size.y, size.z, "xyz"[axis]));
+        }
+    }
+    // The first product fits in 62 bits, and the division cannot overflow.
+    if (std::int64_t(size.x) * size.y > most_voxels / size.z) {
+        throw InputError(fmt::format("{}: size {} x {} x {} has more than 2^40 samples; is it mistyped?", where, size.x,
+                                     size.y, size.z));
+    }
+}
+
+RawLayout find_raw_layout(const std::filesystem::path& path, const scene::VolumeSource& hints) {
+    InputFile{path};  // missing, empty and unreadable files are told before anything about their layout
+    const std::optional<Sidecar> sidecar = read_sidecar(path);
+    std::vector<Teller> tellers{{&hints, "options"}};
+    if (sidecar) {
+        tellers.push_back({&sidecar->says, "sidecar " + sidecar->path.filename().string()});
+    }
+    scene::VolumeSource name;
+    // A name that contradicts itself does no harm once size and type are known from elsewhere.
+    RawLayout layout;
+    using Source = scene::VolumeSource;
+    const bool told = take(tellers, &Source::size, layout.size, layout.size_from) &&
+                      take(tellers, &Source::type, layout.type, layout.type_from);
+    try {
+        name = layout_from_name(path);
+        tellers.push_back({&name, "file name"});
+    } catch (const InputError&) {
+        if (!told) {
+            throw;
+        }
+    }
+    const bool has_size = take(tellers, &Source::size, layout.size, layout.size_from);
+    const bool has_type = take(tellers, &Source::type, layout.type, layout.type_from);
+    take(tellers, &Source::endian, layout.endian, layout.endian_from);
+    take(tellers, &Source::offset, layout.offset, layout.offset_from);
+    take(tellers, &Source::spacing, layout.spacing_m, layout.spacing_from);
+    if (has_size) {
+        check_size(layout.size, path.string());
+    }
+    check_rest(layout, path);
+    if (!has_size || !has_type) {
+        scene::VolumeSource known;
+        known.size = has_size ? std::optional(layout.size) : std::nullopt;
+        known.type = has_type ? std::optional(layout.type) : std::nullopt;
+        known.endian = layout.endian_from == "default" ? std::nullopt : std::optional(layout.endian);
+        known.offset = layout.offset_from == "default" ? std::nullopt : std::optional(layout.offset);
+        throw_unknown(path, known, has_size, has_type);
+    }
+    if (layout.offset > std::numeric_limits<std::int64_t>::max() / 2) {
+        throw InputError(fmt::format("{}: offset {} ({}) is beyond the end of any file", path.string(), layout.offset,
+                                     layout.offset_from));
+    }
+    check_length(layout, path);
+    return layout;
+}
+
+}  // namespace bruma::io

@@ -1,0 +1,37 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <string>
+
+#include "scene/volume.h"
+
+namespace bruma::io {
+
+/// How the samples lie in a headerless file.
+struct RawLayout {
+    glm::ivec3 size{0};  ///< samples along x, y, z; x runs fastest
+    scene::VoxelType type = scene::VoxelType::uint8;
+    scene::Endian endian = scene::Endian::little;
+    std::int64_t offset = 0;     ///< bytes before the first sample
+    glm::dvec3 spacing_m{1e-3};  ///< metres between neighbouring samples
+
+    /// Who said each part: "options", "sidecar NAME.json", "file name" or "default".
+    std::string size_from, type_from, endian_from, offset_from, spacing_from;
+
+    std::int64_t bytes_needed() const;  ///< header and samples; never overflows after `check_size`
+};
+
+/// "256 x 256 x 128 x uint16", for messages.
+std::string layout_words(glm::ivec3 size, scene::VoxelType type);
+
+/// Throws InputError for sizes of zero or less and for more than 2^40 samples; `where` opens the sentence.
+void check_size(glm::ivec3 size, const std::string& where);
+
+/// The layout of a file from `hints`, a sidecar (NAME.raw.json or NAME.json beside it; keys size, type, spacing_mm or
+/// spacing, endian, offset) and the file name, in this order for each part. Never guesses: without size or type it
+/// throws InputError with the likeliest proposals, and so it does when the file's length is not the one the layout
+/// needs. Byte order, offset and spacing have defaults: little, 0, 1 mm.
+RawLayout find_raw_layout(const std::filesystem::path& path, const scene::VolumeSource& hints);
+
+}  // namespace bruma::io

@@ -1,0 +1,58 @@
+#include "io/raw_sidecar.h"
+
+#include <fmt/core.h>
+
+#include "base/error.h"
+#include "io/input_file.h"
+#include "io/json_fields.h"
+#include "io/raw_name.h"
+
+namespace bruma::io {
+namespace {
+
+scene::VolumeSource read_source(const json& object, const std::string& where) {
+    require_object(object, where);
+    require_known_keys(object, where, {"size", "type", "spacing_mm", "spacing", "endian", "offset"});
+    json common = object;
+    common.erase("spacing_mm");
+    scene::VolumeSource says;
+    if (const auto type = object.find("type"); type != object.end() && type->is_string()) {
+        // Short forms such as 'u8' are welcome here as they are in file names.
+        if (const auto known = voxel_type_of_word(type->get_ref<const std::string&>())) {
+            common["type"] = json_of(*known);
+        }
+    }
+    read_present_fields(common, where, says);
+    if (const auto millimetres = object.find("spacing_mm"); millimetres != object.end()) {
+        if (says.spacing) {
+            throw InputError(fmt::format("{} spacing and spacing_mm are both given; keep one of them", where));
+        }
+        glm::dvec3 spacing_mm(0.0);
+        read_value(*millimetres, Field{.unit = "mm", .min = 0.0}, join_path(where, "spacing_mm"), spacing_mm);
+        says.spacing = spacing_mm / 1e3;
+    }
+    return says;
+}
+
+}  // namespace
+
+std::optional<Sidecar> read_sidecar(const std::filesystem::path& raw_path) {
+    std::filesystem::path long_name = raw_path;
+    long_name += ".json";
+    std::filesystem::path short_name = raw_path;
+    short_name.replace_extension(".json");
+    for (const std::filesystem::path& path : {long_name, short_name}) {
+        std::error_code ignored;
+        if (!std::filesystem::exists(path, ignored)) {
+            continue;
+        }
+        const json document = parse_json(read_text_file(path, 1 << 20), path.string());
+        if (document.is_object() && document.contains("bruma_scene")) {
+            continue;
+        }
+        return Sidecar{path, read_source(document, path.string() + ":")};
+    }
+    return std::nullopt;
+}
+
+}  // namespace bruma::io

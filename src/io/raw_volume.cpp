@@ -1,0 +1,120 @@
+#include "io/raw_volume.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <bit>
+#include <fstream>
+#include <limits>
+#include <new>
+
+#include "base/error.h"
+#include "io/ascii_triangles.h"
+#include "io/input_file.h"
+#include "io/raw_name.h"
+
+namespace bruma::io {
+namespace {
+
+void refuse_triangles(const std::filesystem::path& path) {
+    const auto triangles = read_ascii_triangles(path);
+    if (!triangles) {
+        return;
+    }
+    throw InputError(
+        fmt::format("{}: this is a triangle mesh of {} triangles in text form{}, not a volume; this version "
+                    "shows volumes only",
+                    path.string(), triangles->count,
+                    triangles->first_bad_line > 0 ? fmt::format(" (line {} is none)", triangles->first_bad_line) : ""));
+}
+
+void swap_bytes(std::span<std::byte> bytes, std::size_t width) {
+    for (std::size_t n = 0; n + width <= bytes.size(); n += width) {
+        std::reverse(bytes.begin() + std::ptrdiff_t(n), bytes.begin() + std::ptrdiff_t(n + width));
+    }
+}
+
+std::vector<std::byte> allocate(std::uint64_t bytes, const std::filesystem::path& path) {
+    constexpr std::uint64_t left_for_others = 64 << 20;
+    const std::uint64_t available = available_memory();
+    const auto refuse = [&]() {
+        return InputError(
+            fmt::format("{}: needs {} MiB of memory, but {} MiB are free; close other programs or show a "
+                        "smaller volume",
+                        path.string(), bytes >> 20, available >> 20));
+    };
+    if (available < left_for_others || bytes > available - left_for_others) {
+        throw refuse();
+    }
+    try {
+        return std::vector<std::byte>(bytes);
+    } catch (const std::bad_alloc&) {
+        throw refuse();
+    }
+}
+
+void read_samples(const std::filesystem::path& path, const RawLayout& layout, std::span<std::byte> into,
+                  const Progress& progress) {
+    constexpr std::size_t chunk_bytes = 8 << 20;  // a multiple of every sample's width
+    const InputFile file(path);
+    const std::size_t width = scene::bytes_per_voxel(layout.type);
+    const bool file_is_little = layout.endian == scene::Endian::little;
+    const bool swap = width > 1 && file_is_little != (std::endian::native == std::endian::little);
+    for (std::size_t done = 0; done < into.size();) {
+        const auto chunk = into.subspan(done, std::min(chunk_bytes, into.size() - done));
+        file.read(layout.offset + std::int64_t(done), chunk);
+        if (swap) {
+            swap_bytes(chunk, width);
+        }
+        done += chunk.size();
+        if (progress) {
+            progress(double(done) / double(into.size()), "reading " + path.filename().string());
+        }
+    }
+}
+
+}  // namespace
+
+std::uint64_t available_memory() {
+    std::ifstream facts("/proc/meminfo");
+    std::string key;
+    std::uint64_t kibibytes = 0;
+    for (std::string unit; facts >> key >> kibibytes; std::getline(facts, unit)) {
+        if (key == "MemAvailable:") {
+            return kibibytes * 1024;
+        }
+    }
+    return std::numeric_limits<std::uint64_t>::max();
+}
+
+LoadedVolume load_raw_volume(const std::filesystem::path& path, const scene::VolumeSource& hints,
+                             const Progress& progress) {
+    refuse_triangles(path);
+    LoadedVolume loaded;
+    loaded.layout = find_raw_layout(path, hints);
+    const RawLayout& layout = loaded.layout;
+
+    auto grid = std::make_shared<scene::VolumeGrid>();
+    grid->name = make_grid_name(path);
+    grid->size = layout.size;
+    grid->type = layout.type;
+    grid->spacing = layout.spacing_m;
+    grid->voxels = allocate(std::uint64_t(layout.bytes_needed() - layout.offset), path);
+    read_samples(path, layout, grid->voxels, progress);
+
+    loaded.replaced_nonfinite = scene::finish_grid(*grid);
+    if (loaded.replaced_nonfinite > 0) {
+        loaded.remarks.push_back(
+            fmt::format("{}: {} of {} samples are not finite and were replaced by the smallest "
+                        "finite value, {}",
+                        path.string(), loaded.replaced_nonfinite, grid->voxel_count(), grid->smallest));
+    }
+    if (grid->smallest == grid->largest) {
+        loaded.remarks.push_back(
+            fmt::format("{}: every sample is {}; a constant volume shows no structure", path.string(), grid->smallest));
+    }
+    loaded.grid = std::move(grid);
+    return loaded;
+}
+
+}  // namespace bruma::io
