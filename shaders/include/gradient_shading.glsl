@@ -3,11 +3,11 @@
 
 struct Light {
     vec3 irradiance;  // linear Rec.709; of a point light at a distance of 1 step
-    vec3 toward;      // directional: towards the light; point: its position relative to the ray's origin, in steps
-    int is_point;
+    vec3 toward;      // directional: unit, towards the light; point: its position relative to the camera, in steps
 };
-uniform Light lights[MAX_LIGHTS];
-uniform int light_count;
+// Directional lights first, then point lights; the counts are compiled in, since a loop of unknown length around so few
+// operations costs a software renderer more than the operations.
+uniform Light lights[DIRECTIONAL_LIGHTS + POINT_LIGHTS + 1];
 
 struct Surface {
     float ambient, diffuse, specular, shininess;
@@ -19,6 +19,25 @@ uniform Surface surface[VOLUMES];
 
 vec3 ray_direction_world;   // unit
 vec3 ray_origin_steps;      // origin of this ray relative to the camera, in steps
+
+struct Reflected {
+    vec3 diffuse;    // factor of the surface's colour
+    vec3 highlight;
+};
+
+// Adds one light. Phong's mirrored light and Blinn's half vector both come from three cosines, without a branch.
+void reflect_light(Surface s, vec3 toward_light, vec3 irradiance, vec3 normal, vec3 toward_eye, float facing_eye,
+                   inout Reflected reflected)
+{
+    float cosine = dot(normal, toward_light);
+    float between = dot(toward_light, toward_eye);
+    reflected.diffuse += irradiance * (s.diffuse * (s.two_sided != 0 ? abs(cosine) : max(cosine, 0.0)));
+    float aligned = s.blinn_phong != 0 ? (cosine + facing_eye) * inversesqrt(max(2.0 + 2.0 * between, 1e-12))
+                                       : 2.0 * cosine * facing_eye - between;
+    // 0 to a power is left to no driver: the logarithm's argument is kept positive, and the factor decides.
+    float shine = cosine > 0.0 && aligned > 0.0 ? exp2(s.shininess * log2(max(aligned, 1e-20))) : 0.0;
+    reflected.highlight += irradiance * (s.specular * shine);
+}
 
 // Light reflected towards the eye by colour `color` (the unlit source) at parameter t.
 vec3 lit_source(int m, vec3 color, float t)
@@ -41,32 +60,16 @@ vec3 lit_source(int m, vec3 color, float t)
     if (s.two_sided != 0 && dot(normal, toward_eye) < 0.0) {
         normal = -normal;
     }
-    vec3 diffuse = vec3(s.ambient);
-    vec3 highlight = vec3(0.0);
-    for (int n = 0; n < light_count; ++n) {
-        vec3 toward_light = lights[n].toward;
-        vec3 irradiance = lights[n].irradiance;
-        if (lights[n].is_point != 0) {
-            vec3 way = toward_light - (ray_origin_steps + t * ray_direction_world);
-            float squared = max(dot(way, way), 1e-12);
-            toward_light = way * inversesqrt(squared);
-            irradiance /= squared;
-        }
-        float cosine = dot(normal, toward_light);
-        diffuse += irradiance * (s.diffuse * (s.two_sided != 0 ? abs(cosine) : max(cosine, 0.0)));
-        if (cosine > 0.0 && s.specular > 0.0) {
-            float aligned;
-            if (s.blinn_phong != 0) {
-                vec3 between = toward_light + toward_eye;
-                float squared = dot(between, between);
-                aligned = squared > 0.0 ? dot(normal, between) * inversesqrt(squared) : 0.0;
-            } else {
-                aligned = dot(2.0 * cosine * normal - toward_light, toward_eye);
-            }
-            if (aligned > 0.0) {
-                highlight += irradiance * (s.specular * pow(aligned, s.shininess));
-            }
-        }
+    float facing_eye = dot(normal, toward_eye);
+    Reflected reflected = Reflected(vec3(s.ambient), vec3(0.0));
+    for (int n = 0; n < DIRECTIONAL_LIGHTS; ++n) {
+        reflect_light(s, lights[n].toward, lights[n].irradiance, normal, toward_eye, facing_eye, reflected);
     }
-    return mix(color, color * diffuse + highlight, weight);
+    for (int n = DIRECTIONAL_LIGHTS; n < DIRECTIONAL_LIGHTS + POINT_LIGHTS; ++n) {
+        vec3 way = lights[n].toward - (ray_origin_steps + t * ray_direction_world);
+        float squared = max(dot(way, way), 1e-12);
+        reflect_light(s, way * inversesqrt(squared), lights[n].irradiance / squared, normal, toward_eye, facing_eye,
+                      reflected);
+    }
+    return mix(color, color * reflected.diffuse + reflected.highlight, weight);
 }

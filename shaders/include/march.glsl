@@ -13,8 +13,9 @@
 //       optical depth (>= 0, finite) and mean source radiance (finite) between two nodes; false when it is empty,
 //       judged on looked-up values and not on a computed opacity. With SAMPLE_AT_MIDPOINTS both samples are the one
 //       taken in the middle of the segment.
-//   float medium_empty_until(float t)        some t' such that only emptiness is looked up on [t, t']; t where t
-//                                            itself may not be empty. Called only with LEAP.
+//   bool medium_empty(float t, out float until)
+//       whether only emptiness is looked up on all of [t, until]; where false, it is not worth asking again before
+//       `until` (>= t either way). Called only with LEAP.
 //
 // Switches: SAMPLE_AT_MIDPOINTS (else at nodes), LEAP, STOP_EARLY, COUNT.
 // Leaping changes no bit of the result: it skips only segments for which medium_segment would return false.
@@ -29,7 +30,7 @@ struct Marched {
     vec3 radiance;
     float transmittance;
     uint samples;  // medium_sample calls (COUNT)
-    uint queries;  // medium_empty_until calls (COUNT)
+    uint queries;  // medium_empty calls (COUNT)
 };
 
 float node_t(March m, int n)
@@ -61,20 +62,18 @@ Marched march(March m)
 {
     Marched result = Marched(vec3(0.0), 1.0, 0u, 0u);
     int last = 1 + int(ceil(max(0.0, m.t_out - m.t_in - m.first_length)));
-    // Only where the last segment was empty is it worth asking how far emptiness reaches.
-    bool ask = true;
+    float ask_at = m.t_in;  // no leap is possible before
 #ifdef SAMPLE_AT_MIDPOINTS
     for (int n = 0; n < last;) {
         float t_front = node_t(m, n);
         float t_back = node_t(m, n + 1);
         float t = 0.5 * (t_front + t_back);
 #ifdef LEAP
-        if (ask) {
+        if (t >= ask_at) {
             MARCH_COUNT(queries);
-            float until = medium_empty_until(t);
-            if (until > t) {
+            if (medium_empty(t, ask_at)) {
                 // Segments n .. n + floor(until - t) have their midpoints in there.
-                n += 1 + int(until - t);
+                n += 1 + int(ask_at - t);
                 continue;
             }
         }
@@ -83,12 +82,8 @@ Marched march(March m)
         MARCH_COUNT(samples);
         float tau;
         vec3 source;
-        ask = true;
-        if (medium_segment(here, here, t_front, t_back, tau, source)) {
-            ask = false;
-            if (march_add(m, tau, source, result)) {
-                break;
-            }
+        if (medium_segment(here, here, t_front, t_back, tau, source) && march_add(m, tau, source, result)) {
+            break;
         }
         ++n;
     }
@@ -100,12 +95,11 @@ Marched march(March m)
     for (int n = 0; n < last;) {
         float t_front = node_t(m, n);
 #ifdef LEAP
-        if (ask) {
+        if (t_front >= ask_at) {
             MARCH_COUNT(queries);
-            int leap = int(medium_empty_until(t_front) - t_front);
-            if (leap >= 1) {
-                // Segments n .. n + leap - 1 lie in there with both ends; a front from before would be stale.
-                n += leap;
+            if (medium_empty(t_front, ask_at) && ask_at - t_front >= 1.0) {
+                // Segments with both ends in there are empty; a front from before would be stale.
+                n += int(ask_at - t_front);
                 has_front = false;
                 continue;
             }
@@ -114,16 +108,11 @@ Marched march(March m)
         float t_back = node_t(m, n + 1);
         Sample back = medium_sample(has_front ? t_back : t_front);
         MARCH_COUNT(samples);
-        ask = false;
         if (has_front) {
             float tau;
             vec3 source;
-            if (medium_segment(front, back, t_front, t_back, tau, source)) {
-                if (march_add(m, tau, source, result)) {
-                    break;
-                }
-            } else {
-                ask = true;
+            if (medium_segment(front, back, t_front, t_back, tau, source) && march_add(m, tau, source, result)) {
+                break;
             }
             ++n;
         }

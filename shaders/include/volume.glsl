@@ -16,6 +16,7 @@ struct Volume {
     vec3 low, high;       // what is shown, texture space
 };
 uniform vec2 u_from_voxel[VOLUMES];        // u = x * texel + y
+uniform vec2 u_visible[VOLUMES];           // no extinction outside of these two
 uniform float tau_scale[VOLUMES];          // optical depth per step and per unit of sigma in the tables
 uniform vec3 cells_from_texture[VOLUMES];  // macrocells along each axis, fractional
 uniform mat3 world_from_gradient[VOLUMES]; // from gradient texels to world, scaled to data ranges per smallest voxel edge
@@ -79,6 +80,9 @@ bool medium_segment(Sample front, Sample back, float t_front, float t_back, out 
         float part_tau;
         vec3 part_source;
 #ifdef SAMPLE_AT_MIDPOINTS
+        if (front.u[m] < u_visible[m].x || front.u[m] > u_visible[m].y) {
+            continue;
+        }
         vec4 optics = textureLod(optics_table[m], table_coordinate(front.u[m], depth_entries), 0.0);
         if (!(optics.x > 0.0)) {
             continue;
@@ -116,9 +120,10 @@ bool medium_segment(Sample front, Sample back, float t_front, float t_back, out 
     return true;
 }
 
-float medium_empty_until(float t)
+bool medium_empty(float t, out float until)
 {
-    float until = 1e30;
+    until = t + 1e6;  // keeps the integer arithmetic of the leap in range
+    bool empty = true;
     for (int m = 0; m < VOLUMES; ++m) {
 #if VOLUMES > 1
         if (t > ray_leave[m]) {
@@ -130,18 +135,17 @@ float medium_empty_until(float t)
         }
 #endif
         vec3 x = (ray_volumes[m].origin + t * ray_volumes[m].direction) * cells_from_texture[m];
+        vec3 per_step = ray_volumes[m].direction * cells_from_texture[m];
         ivec3 cell = clamp(ivec3(x), ivec3(0), textureSize(emptiness[m], 0) - 1);
         float reach = float(texelFetch(emptiness[m], cell, 0).x);
-        if (reach == 0.0) {
-            return t;
-        }
-        // Every cell nearer than `reach` is empty: leave the cube of cells around this one.
-        vec3 per_step = ray_volumes[m].direction * cells_from_texture[m];
+        empty = empty && reach > 0.0;
+        // Every cell nearer than `reach` is empty: leave the cube of cells around this one. An occupied cell is left
+        // as soon as the ray leaves it.
+        reach = max(reach, 1.0);
         vec3 border = vec3(cell) + mix(vec3(1.0 - reach), vec3(reach), greaterThanEqual(per_step, vec3(0.0)));
-        vec3 distances = (border - x) / mix(per_step, vec3(1e-20), lessThan(abs(per_step), vec3(1e-20)));
-        distances = mix(distances, vec3(1e30), lessThan(abs(per_step), vec3(1e-20)));
+        bvec3 still = lessThan(abs(per_step), vec3(1e-20));
+        vec3 distances = mix((border - x) / mix(per_step, vec3(1.0), still), vec3(1e6), still);
         until = min(until, t + max(0.0, min(distances.x, min(distances.y, distances.z))));
     }
-    // A short float keeps the integer arithmetic of the leap in range.
-    return min(until, t + 1e6);
+    return empty;
 }

@@ -37,8 +37,9 @@ std::string gl_string(GLenum name) {
 void load_entry_points() {
     glewExperimental = GL_TRUE;
     const GLenum status = glewInit();
-    // GLEW is built for GLX and complains without an X display although every entry point was found.
-    if (status != GLEW_OK && status != GLEW_ERROR_NO_GLX_DISPLAY) {
+    // GLEW is built for GLX and complains where there is none (no X display: EGL; no GLX at all: OSMesa) although every
+    // entry point was found.
+    if (status != GLEW_OK && status != GLEW_ERROR_NO_GLX_DISPLAY && status != GLEW_ERROR_GLX_VERSION_11_ONLY) {
         throw MachineError(std::string("OpenGL entry points cannot be loaded: ") +
                            reinterpret_cast<const char*>(glewGetErrorString(status)));
     }

@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bruma::render {
@@ -120,6 +121,16 @@ TransferTables make_transfer_tables(const scene::TransferFunction& tf, const Tab
         }
         tables.optics[i] = {float(sigma[i]), glm::vec3(sigma[i] * color[i])};
         tables.depth[i] = {float(prefix), float(sigma[i])};
+    }
+    // Infinite beyond an end of the window that is visible itself: values outside are clamped to it.
+    const auto visible = [](double s) { return s > 0.0; };
+    const auto first = std::find_if(sigma.begin(), sigma.end(), visible) - sigma.begin();
+    const auto last = depth_entries - 1 - (std::find_if(sigma.rbegin(), sigma.rend(), visible) - sigma.rbegin());
+    const auto u_of = [](std::ptrdiff_t n) { return float(double(n) / (depth_entries - 1)); };
+    tables.lowest_visible = first == 0 ? -1e30F : u_of(first - 1);
+    tables.highest_visible = last == depth_entries - 1 ? 1e30F : u_of(last + 1);
+    if (first == depth_entries) {
+        tables.lowest_visible = 1e30F;
     }
     if (!parameters.preintegrated && !tables.glows) {
         return tables;

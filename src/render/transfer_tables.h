@@ -19,6 +19,7 @@ struct TransferTables {
     std::vector<glm::vec4> source;  ///< [back * source_entries + front]: mean source radiance of a segment
     std::vector<glm::vec4> glow;    ///< the same for light that the volume gives by itself; empty without any
     bool glows = false;
+    float lowest_visible = 0.0F, highest_visible = 0.0F;  ///< extinction is 0 at every u outside
 };
 
 /// What the tables depend on beside the transfer function.

@@ -2,14 +2,13 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/blue_noise.h"
 
 namespace bruma::render {
 namespace {
-
-constexpr int most_lights = 8;
 
 void make_targets(Picture& picture, glm::ivec2 pixels) {
     if (!picture.color || glm::ivec2(picture.color.size()) != pixels) {
@@ -28,29 +27,37 @@ void make_targets(SampleCounts& counts, glm::ivec2 pixels) {
     }
 }
 
+/// Lights must come with the directional ones first, as `order_lights` leaves them.
 void set_lights(gl::Program& program, const std::vector<scene::Light>& lights, const scene::Camera& camera,
                 double step_world) {
     const glm::dvec3 back = scene::camera_frame(camera).back_world;
-    int count = 0;
-    for (const scene::Light& light : lights) {
-        if (count == most_lights) {
-            break;
-        }
-        const bool is_point = light.kind == scene::LightKind::point;
+    for (std::size_t n = 0; n < lights.size(); ++n) {
+        const scene::Light& light = lights[n];
         glm::dvec3 irradiance = light.color * light.intensity;
         glm::dvec3 toward = back;
-        if (is_point) {
+        if (light.kind == scene::LightKind::point) {
             irradiance /= step_world * step_world;
             toward = (light.position_world - camera.eye_world) / step_world;
         } else if (light.kind == scene::LightKind::directional) {
             toward = glm::normalize(light.direction_world);
         }
-        program.set_at("lights", count, ".irradiance", glm::vec3(irradiance));
-        program.set_at("lights", count, ".toward", glm::vec3(toward));
-        program.set_at("lights", count, ".is_point", is_point ? 1 : 0);
-        ++count;
+        program.set_at("lights", int(n), ".irradiance", glm::vec3(irradiance));
+        program.set_at("lights", int(n), ".toward", glm::vec3(toward));
     }
-    program.set("light_count", count);
+}
+
+/// The lights that shine, directional ones first. Black ones cost nothing.
+std::vector<scene::Light> order_lights(const scene::Scene& scene) {
+    std::vector<scene::Light> lights;
+    for (const bool points : {false, true}) {
+        for (const auto& [name, light] : scene.lights) {
+            const bool dark = !light->on || light->intensity == 0.0 || light->color == glm::dvec3(0.0);
+            if (!dark && (light->kind == scene::LightKind::point) == points) {
+                lights.push_back(*light);
+            }
+        }
+    }
+    return lights;
 }
 
 void set_surface(gl::Program& program, int index, const scene::VolumeOptics& optics) {
@@ -105,11 +112,7 @@ void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const 
         parameters.volumes.push_back(std::move(input));
     }
     if (parameters.lit) {
-        for (const auto& [name, light] : scene.lights) {
-            if (light->on) {
-                parameters.lights.push_back(*light);
-            }
-        }
+        parameters.lights = order_lights(scene);
     }
     for (const PassId pass : {march_, count_}) {
         graph_.set_reads(pass, reads);
@@ -126,7 +129,11 @@ gl::Program& MarchPass::program(const PassAccess& access, const Parameters& para
     gl::Defines defines{{"VOLUMES", std::to_string(parameters.volumes.size())}};
     if (parameters.lit) {
         defines["LIT"] = "";
-        defines["MAX_LIGHTS"] = std::to_string(most_lights);
+        const auto points = std::count_if(parameters.lights.begin(), parameters.lights.end(), [](const auto& light) {
+            return light.kind == scene::LightKind::point;
+        });
+        defines["POINT_LIGHTS"] = std::to_string(points);
+        defines["DIRECTIONAL_LIGHTS"] = std::to_string(std::ptrdiff_t(parameters.lights.size()) - points);
         for (const VolumeInput& input : parameters.volumes) {
             if (access.read(input.tables).tables.glows) {
                 defines["GLOW"] = "";
@@ -163,6 +170,7 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
     bind("voxels", voxels.texture);
     if (parameters.settings.classification == scene::Classification::post) {
         bind("optics_table", tables.optics);
+        program.set_at("u_visible", index, "", glm::vec2(tables.tables.lowest_visible, tables.tables.highest_visible));
     } else {
         bind("depth_table", tables.depth);
         bind("source_table", tables.source);
