@@ -55,8 +55,7 @@ quiet_build() {
             [[ -f $dir/build.ninja ]] || (cd "$top" && cmake --preset "$preset" -DBRUMA_TESTS=OFF)
         fi && cmake --build "$dir" "${target[@]}"
     } >"$log" 2>&1; then
-        grep -E 'error|FAILED' "$log" | head -n 10 >&2 || true
-        tail -n 15 "$log" >&2
+        tail -n 30 "$log" >&2
         say "The build failed; all of its output is in $log"
         return 1
     fi

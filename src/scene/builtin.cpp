@@ -35,6 +35,7 @@ const std::array builtin_volumes{
 
 std::vector<std::string> builtin_volume_names() {
     std::vector<std::string> names;
+    names.reserve(builtin_volumes.size());
     for (const BuiltinVolume& builtin : builtin_volumes) {
         names.emplace_back(builtin.name);
     }

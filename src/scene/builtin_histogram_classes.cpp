@@ -46,7 +46,7 @@ int background_end(const Histogram& h) {
     while (end < bins / 2 && around(end + 2) < around(end) && around(end) > 0.05 * double(*peak)) {
         ++end;
     }
-    end += 6;
+    end += 8;
     return std::clamp(end, quantile(h, 0.25), std::max(quantile(h, 0.25), quantile(h, 0.98)));
 }
 
@@ -83,7 +83,7 @@ TransferFunction transfer_function_of_histogram(const VolumeGrid& grid) {
     // How far light travels in each class, in voxels, if its voxels lay together in one lump.
     const double soft_length = std::cbrt(count(h, start, bins));
     const double dense_length = std::cbrt(count(h, split, bins));
-    const double veil = std::min(0.2, opacity_over(1.2, soft_length));
+    const double veil = std::min(0.2, opacity_over(2.4, soft_length));
     const double firm = std::clamp(opacity_over(16.0, dense_length), 0.1, 0.6);
 
     const auto at = [](double bin) { return bin / bins; };
@@ -98,8 +98,10 @@ TransferFunction transfer_function_of_histogram(const VolumeGrid& grid) {
                   {at(split), 0.3 * firm},
                   {at(dense), firm},
                   {1.0, std::min(0.9, 1.5 * firm)}};
-    tf.color = {{at(start), {0.07, 0.20, 0.42}}, {at(soft), {0.30, 0.42, 0.26}},  {at(between), {0.62, 0.36, 0.17}},
-                {at(split), {0.78, 0.46, 0.20}}, {at(dense), {0.90, 0.74, 0.52}}, {1.0, {1.0, 0.95, 0.86}}};
+    tf.color = {{at(start), {0.04, 0.16, 0.36}}, {at(0.5 * (start + soft)), {0.12, 0.32, 0.20}},
+                {at(soft), {0.38, 0.32, 0.16}},  {at(between), {0.52, 0.30, 0.13}},
+                {at(split), {0.64, 0.33, 0.13}}, {at(dense), {0.86, 0.68, 0.45}},
+                {1.0, {1.0, 0.95, 0.86}}};
     normalise(tf);
     return tf;
 }

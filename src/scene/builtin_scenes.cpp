@@ -16,7 +16,12 @@ Volume shown_builtin(const std::string& name, VolumeLighting lighting) {
     volume.source.file = "builtin:" + name;
     volume.grid = builtin_volume(name);
     volume.transfer_function = suggested_transfer_function(**volume.grid);
-    volume.optics.edit([&](VolumeOptics& optics) { optics.lighting = lighting; });
+    volume.optics.edit([&](VolumeOptics& optics) {
+        optics.lighting = lighting;
+        optics.ambient = 0.08;
+        optics.specular = 0.35;
+        optics.shininess = 40.0;
+    });
     return volume;
 }
 
@@ -27,10 +32,10 @@ Node node(Volume volume, const Transform& transform = {}, const std::string& par
 /// A warm key from the upper left, a cool fill from the right, and a little light along the view, so that no side is
 /// lost in the dark.
 void light_as_in_a_studio(Scene& scene) {
-    scene.lights["key"] = Light{.direction_world = {-0.55, 0.8, 0.55}, .color = {1.0, 0.90, 0.76}, .intensity = 0.85};
-    scene.lights["fill"] = Light{.direction_world = {0.9, 0.15, 0.35}, .color = {0.55, 0.72, 1.0}, .intensity = 0.3};
-    scene.lights["head"] = Light{.kind = LightKind::headlight, .intensity = 0.2};
-    scene.background = Background{.top = {0.010, 0.012, 0.018}, .bottom = {0.055, 0.060, 0.072}};
+    scene.lights["key"] = Light{.direction_world = {-0.55, 0.8, 0.55}, .color = {1.0, 0.90, 0.76}, .intensity = 0.9};
+    scene.lights["fill"] = Light{.direction_world = {0.9, 0.15, 0.35}, .color = {0.55, 0.72, 1.0}, .intensity = 0.35};
+    scene.lights["head"] = Light{.kind = LightKind::headlight, .intensity = 0.1};
+    scene.background = Background{.top = {0.004, 0.005, 0.008}, .bottom = {0.030, 0.034, 0.044}};
 }
 
 /// Stands where all is seen, `closer` times nearer than the sphere around everything needs.
@@ -48,7 +53,7 @@ Scene demo() {
     // Open the front, so that the cut goes through the middle of the bores.
     engine.clip = ClipBox{.low = {0.0, 0.0, 0.0}, .high = {1.0, 1.0, 0.55}};
     scene.nodes["engine"] = node(std::move(engine));
-    look_from(scene, {0.45, 0.30, 0.9}, 1.35);
+    look_from(scene, {0.45, 0.30, 0.9}, 1.75);
     return scene;
 }
 
@@ -66,7 +71,7 @@ Scene bucky_cluster() {
     scene.nodes["bucky-small"] = node(
         bucky, {.translation = {0.020, -0.026, 0.034}, .rotation_deg = {50.0, 10.0, 0.0}, .scale = glm::dvec3(0.4)},
         "molecules");
-    look_from(scene, {0.15, 0.25, 0.95}, 1.25);
+    look_from(scene, {0.15, 0.25, 0.95}, 1.9);
     return scene;
 }
 
@@ -102,6 +107,7 @@ constexpr std::array builtin_scenes{
 
 std::vector<std::string> builtin_scene_names() {
     std::vector<std::string> names;
+    names.reserve(builtin_scenes.size());
     for (const BuiltinScene& builtin : builtin_scenes) {
         names.emplace_back(builtin.name);
     }

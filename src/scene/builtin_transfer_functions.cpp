@@ -17,17 +17,18 @@ TransferFunction curves(std::vector<OpacityPoint> opacity, std::vector<ColorPoin
 }  // namespace
 
 TransferFunction engine_transfer_function() {
-    // Aluminium sits at 0.49 of the range and is glass-like; steel, at 1, is warm and solid.
-    return curves({{0.0, 0.0}, {0.22, 0.0}, {0.34, 0.05}, {0.50, 0.07}, {0.62, 0.10}, {0.72, 0.65}, {1.0, 0.9}},
-                  {{0.0, {0.10, 0.22, 0.42}},
-                   {0.48, {0.22, 0.38, 0.56}},
-                   {0.60, {0.55, 0.38, 0.22}},
-                   {0.75, {0.86, 0.46, 0.14}},
-                   {1.0, {0.95, 0.66, 0.32}}});
+    // Aluminium sits at 0.49 of the range: its skin shows, its bulk is glass. Steel, at 1, is warm and solid.
+    return curves(
+        {{0.0, 0.0}, {0.12, 0.0}, {0.26, 0.16}, {0.40, 0.05}, {0.50, 0.045}, {0.62, 0.10}, {0.72, 0.65}, {1.0, 0.95}},
+        {{0.0, {0.06, 0.18, 0.40}},
+         {0.48, {0.16, 0.34, 0.58}},
+         {0.60, {0.50, 0.30, 0.20}},
+         {0.75, {0.70, 0.28, 0.06}},
+         {1.0, {0.80, 0.40, 0.13}}});
 }
 
 TransferFunction bucky_transfer_function() {
-    return curves({{0.0, 0.0}, {0.16, 0.0}, {0.24, 0.06}, {0.45, 0.09}, {0.62, 0.5}, {1.0, 0.9}},
+    return curves({{0.0, 0.0}, {0.14, 0.0}, {0.22, 0.10}, {0.45, 0.14}, {0.62, 0.5}, {1.0, 0.9}},
                   {{0.0, {0.04, 0.12, 0.38}},
                    {0.24, {0.06, 0.24, 0.56}},
                    {0.45, {0.10, 0.46, 0.60}},

@@ -30,7 +30,7 @@ double marschner_lobb(double x, double y, double z);
 std::shared_ptr<const VolumeGrid> make_blobs();
 
 /// 160 x 112 x 96 uint8: a four-cylinder engine, x along the crankshaft, y up. Aluminium at 0.45, steel at 0.92 of the
-/// range, air at 0; edges one voxel wide.
+/// range, air at 0; edges one and a half voxels wide.
 std::shared_ptr<const VolumeGrid> make_engine();
 
 /// 128^3 uint8: tube around the torus knot (2,3), soft outside (half the range), with a denser core.
