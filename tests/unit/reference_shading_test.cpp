@@ -53,6 +53,9 @@ TEST(ReferenceShading, DiffuseFollowsTheCosineOneAndTwoSided) {
         change(scene, [](auto& optics) { optics.two_sided = false; });
         expect_near(source(scene), color * (0.15 + 0.85 * irradiance * (side < 0.0 ? cosine : 0.0)));
     }
+    // One-sided matter lit on the side of its normal shines the same when seen from behind.
+    set_light(scene, {-1.0, 0.0, 0.0});
+    expect_near(source(scene, ray_from({3.0, 0.0, 4.0}, {0.0, 0.0, 0.0})), color * (0.15 + 0.85 * irradiance));
     scene.lights["sun"].edit([](auto& light) { light.on = false; });
     expect_near(source(scene), color * 0.15);
 }
