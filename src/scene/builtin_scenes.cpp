@@ -1,0 +1,121 @@
+#include <fmt/core.h>
+
+#include <array>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "scene/builtin.h"
+
+namespace bruma::scene {
+namespace {
+
+constexpr double usual_aspect = 16.0 / 9.0;
+
+Volume shown_builtin(const std::string& name, VolumeLighting lighting) {
+    Volume volume;
+    volume.source.file = "builtin:" + name;
+    volume.grid = builtin_volume(name);
+    volume.transfer_function = suggested_transfer_function(**volume.grid);
+    volume.optics.edit([&](VolumeOptics& optics) { optics.lighting = lighting; });
+    return volume;
+}
+
+Node node(Volume volume, const Transform& transform = {}, const std::string& parent = {}) {
+    return {.parent = parent, .visible = true, .transform = transform, .content = std::move(volume)};
+}
+
+/// A warm key from the upper left, a cool fill from the right, and a little light along the view, so that no side is
+/// lost in the dark.
+void light_as_in_a_studio(Scene& scene) {
+    scene.lights["key"] = Light{.direction_world = {-0.55, 0.8, 0.55}, .color = {1.0, 0.90, 0.76}, .intensity = 0.85};
+    scene.lights["fill"] = Light{.direction_world = {0.9, 0.15, 0.35}, .color = {0.55, 0.72, 1.0}, .intensity = 0.3};
+    scene.lights["head"] = Light{.kind = LightKind::headlight, .intensity = 0.2};
+    scene.background = Background{.top = {0.010, 0.012, 0.018}, .bottom = {0.055, 0.060, 0.072}};
+}
+
+/// Stands where all is seen, `closer` times nearer than the sphere around everything needs.
+void look_from(Scene& scene, const glm::dvec3& back_world, double closer) {
+    Camera camera = fit_camera(world_bounds(scene), usual_aspect, back_world);
+    camera.eye_world = camera.target_world + (camera.eye_world - camera.target_world) / closer;
+    camera.view_height /= closer;
+    scene.camera = camera;
+}
+
+Scene demo() {
+    Scene scene;
+    light_as_in_a_studio(scene);
+    Volume engine = shown_builtin("engine", VolumeLighting::gradient);
+    // Open the front, so that the cut goes through the middle of the bores.
+    engine.clip = ClipBox{.low = {0.0, 0.0, 0.0}, .high = {1.0, 1.0, 0.55}};
+    scene.nodes["engine"] = node(std::move(engine));
+    look_from(scene, {0.45, 0.30, 0.9}, 1.35);
+    return scene;
+}
+
+Scene bucky_cluster() {
+    Scene scene;
+    light_as_in_a_studio(scene);
+    scene.nodes["molecules"] = {
+        .parent = {}, .transform = Transform{.rotation_deg = {0.0, 20.0, 0.0}}, .content = Group{}};
+    const Volume bucky = shown_builtin("bucky", VolumeLighting::gradient);
+    scene.nodes["bucky-large"] =
+        node(bucky, {.translation = {-0.034, 0.0, 0.0}, .rotation_deg = {12.0, 0.0, 8.0}}, "molecules");
+    scene.nodes["bucky-middle"] = node(
+        bucky, {.translation = {0.030, 0.012, 0.012}, .rotation_deg = {-20.0, 35.0, 0.0}, .scale = glm::dvec3(0.7)},
+        "molecules");
+    scene.nodes["bucky-small"] = node(
+        bucky, {.translation = {0.020, -0.026, 0.034}, .rotation_deg = {50.0, 10.0, 0.0}, .scale = glm::dvec3(0.4)},
+        "molecules");
+    look_from(scene, {0.15, 0.25, 0.95}, 1.25);
+    return scene;
+}
+
+Scene orbital() {
+    Scene scene;
+    light_as_in_a_studio(scene);
+    scene.nodes["hydrogen"] =
+        node(shown_builtin("hydrogen", VolumeLighting::none), {.rotation_deg = {0.0, 0.0, -20.0}});
+    look_from(scene, {0.3, 0.25, 0.9}, 1.4);
+    return scene;
+}
+
+Scene knots() {
+    Scene scene;
+    light_as_in_a_studio(scene);
+    scene.nodes["knot"] = node(shown_builtin("knot", VolumeLighting::gradient), {.rotation_deg = {-25.0, 0.0, 0.0}});
+    look_from(scene, {0.2, 0.3, 0.9}, 1.6);
+    return scene;
+}
+
+struct BuiltinScene {
+    const char* name;
+    Scene (*make)();
+};
+constexpr std::array builtin_scenes{
+    BuiltinScene{"demo", demo},
+    BuiltinScene{"bucky-cluster", bucky_cluster},
+    BuiltinScene{"orbital", orbital},
+    BuiltinScene{"knot-study", knots},
+};
+
+}  // namespace
+
+std::vector<std::string> builtin_scene_names() {
+    std::vector<std::string> names;
+    for (const BuiltinScene& builtin : builtin_scenes) {
+        names.emplace_back(builtin.name);
+    }
+    return names;
+}
+
+Scene builtin_scene(const std::string& name) {
+    for (const BuiltinScene& builtin : builtin_scenes) {
+        if (name == builtin.name) {
+            return builtin.make();
+        }
+    }
+    throw InputError(
+        fmt::format("builtin:{}: there is no such scene{}", name, suggestion(name, builtin_scene_names())));
+}
+
+}  // namespace bruma::scene
