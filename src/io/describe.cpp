@@ -68,7 +68,11 @@ std::string raw_text(const std::string& path, const scene::VolumeSource& hints) 
     text += fmt::format("offset   {} bytes ({})\n", layout.offset, layout.offset_from);
     text += fmt::format("spacing  {:.6g} x {:.6g} x {:.6g} mm ({})\n", 1e3 * layout.spacing_m.x,
                         1e3 * layout.spacing_m.y, 1e3 * layout.spacing_m.z, layout.spacing_from);
-    return text + values_text(*loaded.grid, loaded.replaced_nonfinite);
+    text += values_text(*loaded.grid, loaded.replaced_nonfinite);
+    for (const std::string& remark : loaded.remarks) {
+        text += fmt::format("remark   {}\n", remark);
+    }
+    return text;
 }
 
 std::string triangles_text(const std::string& path, const AsciiTriangles& found) {
