@@ -69,7 +69,7 @@ bool overlap(const scene::Bounds& a, const scene::Bounds& b) {
     return true;
 }
 
-void add_volume(scene::Scene& scene, std::string name, scene::VolumeSource source,
+void add_volume(scene::Scene& scene, const std::string& name, scene::VolumeSource source,
                 std::shared_ptr<const scene::VolumeGrid> grid) {
     scene::Volume volume;
     volume.source = std::move(source);

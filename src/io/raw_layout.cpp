@@ -113,7 +113,7 @@ scene::VolumeSource RawLayoutParts::as_hints() const {
 }
 
 RawLayoutParts known_layout_parts(const std::filesystem::path& path, const scene::VolumeSource& hints) {
-    InputFile{path};  // missing, empty and unreadable files are told before anything about their layout
+    const InputFile readable(path);  // missing, empty and unreadable files are told before anything about their layout
     using Source = scene::VolumeSource;
     RawLayoutParts known;
     RawLayout& layout = known.layout;
