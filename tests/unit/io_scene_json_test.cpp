@@ -283,6 +283,16 @@ std::string with_other_values(const json& document, std::mt19937& random) {
     return flat.unflatten().dump();
 }
 
+TEST(TransferFunctionFile, PointsComeBackInOrder) {
+    const json unsorted{{"opacity", {{0.5, 0.1}, {0.0, 0.2}}}};
+    const scene::TransferFunction tf = read_transfer_function(unsorted, "tf");
+    EXPECT_EQ(tf.opacity, (std::vector<scene::OpacityPoint>{{0.0, 0.2}, {0.5, 0.1}}));
+    EXPECT_TRUE(contains(refusal([] {
+                             read_transfer_function(json{{"domain", {1, 1}}}, "tf");
+                         }),
+                         "tf.domain: both ends are 1"));
+}
+
 TEST(SceneJson, MutatedTextsAreReadOrRefusedAndNothingElse) {
     const json document = to_json(rich_scene());
     const std::string good = json_text(document);
