@@ -227,29 +227,26 @@ void require_known_keys(const json& from, const std::string& where, const std::v
     }
 }
 
+void check_version(const json& document, const char* key, std::int64_t newest, const std::string& name) {
+    const std::string prefix = name.empty() ? "" : name + ": ";
+    const auto found = document.find(key);
+    if (found == document.end()) {
+        throw InputError(
+            fmt::format("{}the key '{}' is missing at the top; expected \"{}\": {}", prefix, key, key, newest));
+    }
+    const std::int64_t version = whole_number(*found, Field{.min = 1.0}, prefix + key, 1'000'000'000);
+    if (version > newest) {
+        throw InputError(
+            fmt::format("{}{} is {}, but this program reads up to {}; update it or save the file from an "
+                        "older one",
+                        prefix, key, version, newest));
+    }
+}
+
 std::string join_path(const std::string& where, std::string_view key) {
     // "scene.json:" ends a file's name and takes a blank, a key takes a dot.
     const std::string_view between = where.empty() ? "" : where.back() == ':' ? " " : ".";
     return fmt::format("{}{}{}", where, between, key);
-}
-
-json parse_json(const std::string& text, const std::string& name) {
-    try {
-        return json::parse(text);
-    } catch (const json::parse_error& error) {
-        const std::size_t at = std::min(text.size(), error.byte == 0 ? 0 : error.byte - 1);
-        const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n');
-        const std::size_t line_start = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
-        const std::size_t column = at - (line_start == std::string::npos ? 0 : line_start + 1) + 1;
-        // The library's text goes "[...] parse error at line L, column C: WHAT - FOUND; expected WHAT".
-        std::string what = error.what();
-        if (const std::size_t colon = what.find(": "); colon != std::string::npos) {
-            what.erase(0, colon + 2);
-        }
-        throw InputError(fmt::format("{}:{}:{}: broken JSON, {}", name, line, column, what));
-    } catch (const json::exception& error) {
-        throw InputError(fmt::format("{}: JSON that cannot be used, {}", name, error.what()));
-    }
 }
 
 }  // namespace bruma::io

@@ -49,6 +49,8 @@ std::size_t read_word(const json& from, const std::string& where, std::span<cons
 void require_object(const json& from, const std::string& where);
 /// Throws for the first key of an object that is not in `known`.
 void require_known_keys(const json& from, const std::string& where, const std::vector<std::string>& known);
+/// Throws unless `key` holds a version from 1 to `newest`; `name` is the file's.
+void check_version(const json& document, const char* key, std::int64_t newest, const std::string& name);
 /// `where` and `key` with a '.' between, or `key` alone.
 std::string join_path(const std::string& where, std::string_view key);
 
@@ -113,8 +115,5 @@ T read_fields(const json& object, const std::string& where) {
     read_present_fields(object, where, value);
     return value;
 }
-
-/// JSON of a text; a fault is told as file:line:column with what was expected. `name` is the file's name or an option.
-json parse_json(const std::string& text, const std::string& name);
 
 }  // namespace bruma::io

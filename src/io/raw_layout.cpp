@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -16,6 +15,8 @@ namespace bruma::io {
 namespace {
 
 constexpr std::int64_t most_voxels = std::int64_t(1) << 40;
+constexpr std::int64_t largest_offset = std::int64_t(1) << 60;
+constexpr const char* nobody = "default";
 
 struct Teller {
     const scene::VolumeSource* says;
@@ -32,13 +33,13 @@ bool take(const std::vector<Teller>& tellers, Part part, Value& value, std::stri
             return true;
         }
     }
-    from = "default";
+    from = nobody;
     return false;
 }
 
 void check_rest(const RawLayout& layout, const std::filesystem::path& path) {
-    if (layout.offset < 0) {
-        throw InputError(fmt::format("{}: offset {} ({}) is before the start of the file; it must be 0 or more",
+    if (layout.offset < 0 || layout.offset > largest_offset) {
+        throw InputError(fmt::format("{}: offset {} ({}) is outside of any file; it must be 0 or a little more",
                                      path.string(), layout.offset, layout.offset_from));
     }
     for (int axis = 0; axis < 3; ++axis) {
@@ -50,13 +51,15 @@ void check_rest(const RawLayout& layout, const std::filesystem::path& path) {
     }
 }
 
-[[noreturn]] void throw_unknown(const std::filesystem::path& path, const scene::VolumeSource& known, bool has_size,
-                                bool has_type) {
-    const char* missing = has_size ? "type of its samples" : has_type ? "size" : "size and type of its samples";
-    const char* options = has_size ? "--type TYPE" : has_type ? "--dims NXxNYxNZ" : "--dims NXxNYxNZ and --type TYPE";
-    const auto proposals = propose_layouts(path, known, 3);
+[[noreturn]] void throw_unknown(const std::filesystem::path& path, const RawLayoutParts& known) {
+    const char* missing = known.has_size   ? "type of its samples"
+                          : known.has_type ? "size"
+                                           : "size and type of its samples";
+    const char* options = known.has_size   ? "--type TYPE"
+                          : known.has_type ? "--dims NXxNYxNZ"
+                                           : "--dims NXxNYxNZ and --type TYPE";
     std::string likely;
-    for (const RawProposal& proposal : proposals) {
+    for (const RawProposal& proposal : propose_layouts(path, known.as_hints(), 3)) {
         likely += (likely.empty() ? "" : ", or ") + as_options(proposal);
     }
     throw InputError(fmt::format(
@@ -100,50 +103,55 @@ void check_size(glm::ivec3 size, const std::string& where) {
     }
 }
 
-RawLayout find_raw_layout(const std::filesystem::path& path, const scene::VolumeSource& hints) {
-    InputFile{path};  // missing, empty and unreadable files are told before anything about their layout
+scene::VolumeSource RawLayoutParts::as_hints() const {
+    scene::VolumeSource hints;
+    hints.size = has_size ? std::optional(layout.size) : std::nullopt;
+    hints.type = has_type ? std::optional(layout.type) : std::nullopt;
+    hints.endian = layout.endian_from == nobody ? std::nullopt : std::optional(layout.endian);
+    hints.offset = layout.offset_from == nobody ? std::nullopt : std::optional(layout.offset);
+    return hints;
+}
+
+RawLayoutParts known_layout_parts(const std::filesystem::path& path, const scene::VolumeSource& hints) {
+    const InputFile readable(path);  // missing, empty and unreadable files are told before anything about their layout
+    using Source = scene::VolumeSource;
+    RawLayoutParts known;
+    RawLayout& layout = known.layout;
     const std::optional<Sidecar> sidecar = read_sidecar(path);
     std::vector<Teller> tellers{{&hints, "options"}};
     if (sidecar) {
         tellers.push_back({&sidecar->says, "sidecar " + sidecar->path.filename().string()});
     }
-    scene::VolumeSource name;
-    // A name that contradicts itself does no harm once size and type are known from elsewhere.
-    RawLayout layout;
-    using Source = scene::VolumeSource;
-    const bool told = take(tellers, &Source::size, layout.size, layout.size_from) &&
-                      take(tellers, &Source::type, layout.type, layout.type_from);
+    Source name;
     try {
         name = layout_from_name(path);
         tellers.push_back({&name, "file name"});
     } catch (const InputError&) {
-        if (!told) {
+        // A name that contradicts itself does no harm once size and type are known from elsewhere.
+        if (!take(tellers, &Source::size, layout.size, layout.size_from) ||
+            !take(tellers, &Source::type, layout.type, layout.type_from)) {
             throw;
         }
     }
-    const bool has_size = take(tellers, &Source::size, layout.size, layout.size_from);
-    const bool has_type = take(tellers, &Source::type, layout.type, layout.type_from);
+    known.has_size = take(tellers, &Source::size, layout.size, layout.size_from);
+    known.has_type = take(tellers, &Source::type, layout.type, layout.type_from);
     take(tellers, &Source::endian, layout.endian, layout.endian_from);
     take(tellers, &Source::offset, layout.offset, layout.offset_from);
     take(tellers, &Source::spacing, layout.spacing_m, layout.spacing_from);
-    if (has_size) {
+    if (known.has_size) {
         check_size(layout.size, path.string());
     }
     check_rest(layout, path);
-    if (!has_size || !has_type) {
-        scene::VolumeSource known;
-        known.size = has_size ? std::optional(layout.size) : std::nullopt;
-        known.type = has_type ? std::optional(layout.type) : std::nullopt;
-        known.endian = layout.endian_from == "default" ? std::nullopt : std::optional(layout.endian);
-        known.offset = layout.offset_from == "default" ? std::nullopt : std::optional(layout.offset);
-        throw_unknown(path, known, has_size, has_type);
+    return known;
+}
+
+RawLayout find_raw_layout(const std::filesystem::path& path, const scene::VolumeSource& hints) {
+    const RawLayoutParts known = known_layout_parts(path, hints);
+    if (!known.complete()) {
+        throw_unknown(path, known);
     }
-    if (layout.offset > std::numeric_limits<std::int64_t>::max() / 2) {
-        throw InputError(fmt::format("{}: offset {} ({}) is beyond the end of any file", path.string(), layout.offset,
-                                     layout.offset_from));
-    }
-    check_length(layout, path);
-    return layout;
+    check_length(known.layout, path);
+    return known.layout;
 }
 
 }  // namespace bruma::io

@@ -22,11 +22,26 @@ struct RawLayout {
     std::int64_t bytes_needed() const;  ///< header and samples; never overflows after `check_size`
 };
 
+/// A layout of which size or type may be missing.
+struct RawLayoutParts {
+    RawLayout layout;
+    bool has_size = false;
+    bool has_type = false;
+
+    bool complete() const { return has_size && has_type; }
+    /// The parts that somebody said, for `propose_layouts`.
+    scene::VolumeSource as_hints() const;
+};
+
 /// "256 x 256 x 128 x uint16", for messages.
 std::string layout_words(glm::ivec3 size, scene::VoxelType type);
 
 /// Throws InputError for sizes of zero or less and for more than 2^40 samples; `where` opens the sentence.
 void check_size(glm::ivec3 size, const std::string& where);
+
+/// What is known of a file's layout from the same places as `find_raw_layout` asks, without a word about the file's
+/// length.
+RawLayoutParts known_layout_parts(const std::filesystem::path& path, const scene::VolumeSource& hints);
 
 /// The layout of a file from `hints`, a sidecar (NAME.raw.json or NAME.json beside it; keys size, type, spacing_mm or
 /// spacing, endian, offset) and the file name, in this order for each part. Never guesses: without size or type it

@@ -115,6 +115,21 @@ std::string reason_words(glm::ivec3 size, double roughness) {
     return fmt::format("{}; neighbours differ by {:.1f} % of what distant samples do", shape, 100.0 * roughness);
 }
 
+/// Over the axes that have neighbours.
+double mean_roughness(SampleRoughness& roughness, glm::ivec3 size) {
+    const std::int64_t row = size.x;
+    const std::array<std::int64_t, 3> lags{1, row, row * size.y};
+    double sum = 0.0;
+    int axes = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (size[axis] > 1) {
+            sum += roughness.at_lag(lags[std::size_t(axis)]);
+            ++axes;
+        }
+    }
+    return axes > 0 ? sum / axes : 0.0;
+}
+
 void propose(const MappedFile& file, const Reading& reading, const std::vector<RatedSize>& sizes,
              std::vector<RawProposal>& proposals) {
     SampleRoughness roughness(file.bytes(), reading);
@@ -122,8 +137,7 @@ void propose(const MappedFile& file, const Reading& reading, const std::vector<R
         return;
     }
     for (const RatedSize& rated : sizes) {
-        const std::int64_t row = rated.size.x;
-        const double mean = (roughness.at_lag(1) + roughness.at_lag(row) + roughness.at_lag(row * rated.size.y)) / 3.0;
+        const double mean = mean_roughness(roughness, rated.size);
         // The floor keeps constant data from an infinite score: they are then ranked by usual size alone.
         const double score = std::log(mean + 1e-3) + rated.penalty + offset_penalty(reading.offset) +
                              type_penalty(reading.type, reading.endian);

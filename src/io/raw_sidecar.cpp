@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "io/input_file.h"
 #include "io/json_fields.h"
+#include "io/json_text.h"
 #include "io/raw_name.h"
 
 namespace bruma::io {

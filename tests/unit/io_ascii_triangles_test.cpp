@@ -9,12 +9,12 @@ namespace {
 
 TEST(AsciiTriangles, CountsTrianglesAndTheirBox) {
     const TemporaryFolder folder;
-    const auto file = folder.write("a.raw", "# a comment\n\n0 0 0 1 0 0 0 1 0\r\n-1e1 +2 .5\t1 0 0  0 0 7 # behind\n");
+    const auto file = folder.write("a.raw", "# a comment\n\n0 0 9 1 0 0 0 1 0\r\n-1e1 +2 .5\t1 0 0  0 0 7 # behind\n");
     const auto found = read_ascii_triangles(file);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->count, 2);
     EXPECT_EQ(found->low, glm::dvec3(-10, 0, 0));
-    EXPECT_EQ(found->high, glm::dvec3(1, 2, 7));
+    EXPECT_EQ(found->high, glm::dvec3(1, 2, 9));
     EXPECT_EQ(found->first_bad_line, 0);
 }
 

@@ -183,6 +183,24 @@ TEST(RawVolume, LoadsOneSampleAndSaysThatItIsConstant) {
     EXPECT_TRUE(contains(loaded.remarks[0], "every sample is 42"));
 }
 
+TEST(RawVolume, SaysWhenTheByteOrderLooksWrong) {
+    const TemporaryFolder folder;
+    std::vector<std::uint16_t> samples;
+    for (int n = 0; n < 16 * 16 * 16; ++n) {
+        const glm::vec3 p = glm::vec3(n % 16, n / 16 % 16, n / 256) - 7.5F;
+        samples.push_back(std::uint16_t(3000.0F * std::exp(-0.05F * glm::dot(p, p))));
+    }
+    const auto right = load_raw_volume(folder.write("a_16x16x16_u16.raw", bytes_of(samples)), {});
+    EXPECT_TRUE(right.remarks.empty());
+    const auto wrong = folder.write("b_16x16x16_u16.raw", swapped(bytes_of(samples), 2));
+    const auto read = load_raw_volume(wrong, {});
+    ASSERT_EQ(read.remarks.size(), 1U);
+    EXPECT_TRUE(contains(read.remarks[0], "try --endian big"));
+    VolumeSource hints;
+    hints.endian = Endian::little;
+    EXPECT_TRUE(load_raw_volume(wrong, hints).remarks.empty());
+}
+
 TEST(RawVolume, StopsWhenProgressThrows) {
     const TemporaryFolder folder;
     const auto file = folder.write("p_256x256x256_u8.raw", std::string(std::size_t(1) << 24, 'x'));

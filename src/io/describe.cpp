@@ -1,0 +1,134 @@
+#include "io/describe.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/error.h"
+#include "io/ascii_triangles.h"
+#include "io/grid_source.h"
+#include "io/open.h"
+#include "io/raw_proposals.h"
+#include "io/raw_volume.h"
+
+namespace bruma::io {
+namespace {
+
+std::string bar_chart(const scene::VolumeGrid& grid) {
+    constexpr int bins = 16;
+    constexpr double columns = 48.0;
+    const scene::Histogram histogram = scene::histogram(grid, bins);
+    const std::uint64_t most =
+        std::max<std::uint64_t>(1, *std::max_element(histogram.counts.begin(), histogram.counts.end()));
+    std::string text = "histogram (length of a bar: square root of the count)\n";
+    for (int bin = 0; bin < bins; ++bin) {
+        const std::uint64_t count = histogram.counts[std::size_t(bin)];
+        const double from = grid.smallest + bin * (grid.largest - grid.smallest) / bins;
+        // A square root, or the empty space around things would leave nothing else to see.
+        const auto length = std::size_t(columns * std::sqrt(double(count) / double(most)) + (count > 0 ? 1.0 : 0.0));
+        text += fmt::format("  {:>12.6g} {:>12} {}\n", from, count, std::string(length, '#'));
+    }
+    return text;
+}
+
+double mean_value(const scene::VolumeGrid& grid) {
+    return scene::visit_voxels(grid, [](auto samples) {
+        double sum = 0.0;
+        for (const auto sample : samples) {
+            sum += double(sample);
+        }
+        return sum / double(samples.size());
+    });
+}
+
+std::string values_text(const scene::VolumeGrid& grid, std::size_t nonfinite) {
+    const glm::dvec3 extent = grid.extent();
+    std::string text = fmt::format("extent   {:.6g} x {:.6g} x {:.6g} m\n", extent.x, extent.y, extent.z);
+    text += fmt::format("range    {:.9g} to {:.9g}{}\n", grid.smallest, grid.largest,
+                        grid.smallest == grid.largest ? " (constant: it shows no structure)" : "");
+    text += fmt::format("mean     {:.9g}\n", mean_value(grid));
+    text += fmt::format("faults   {}\n",
+                        nonfinite == 0 ? std::string("none")
+                                       : fmt::format("{} of {} samples are not finite", nonfinite, grid.voxel_count()));
+    return text + bar_chart(grid);
+}
+
+std::string raw_text(const std::string& path, const scene::VolumeSource& hints) {
+    const LoadedVolume loaded = load_raw_volume(path, hints);
+    const RawLayout& layout = loaded.layout;
+    const auto word = [](auto value) { return scene::enum_words<decltype(value)>()[std::size_t(value)]; };
+    std::string text = fmt::format("{}: volume\n", path);
+    text += fmt::format("size     {} x {} x {} ({})\n", layout.size.x, layout.size.y, layout.size.z, layout.size_from);
+    text += fmt::format("type     {} ({})\n", word(layout.type), layout.type_from);
+    if (scene::bytes_per_voxel(layout.type) > 1) {
+        text += fmt::format("endian   {} ({})\n", word(layout.endian), layout.endian_from);
+    }
+    text += fmt::format("offset   {} bytes ({})\n", layout.offset, layout.offset_from);
+    text += fmt::format("spacing  {:.6g} x {:.6g} x {:.6g} mm ({})\n", 1e3 * layout.spacing_m.x,
+                        1e3 * layout.spacing_m.y, 1e3 * layout.spacing_m.z, layout.spacing_from);
+    text += values_text(*loaded.grid, loaded.replaced_nonfinite);
+    for (const std::string& remark : loaded.remarks) {
+        text += fmt::format("remark   {}\n", remark);
+    }
+    return text;
+}
+
+std::string triangles_text(const std::string& path, const AsciiTriangles& found) {
+    std::string text = fmt::format("{}: triangle mesh in text form, not a volume\ntriangles {}\n", path, found.count);
+    text += fmt::format("box      ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g})\n", found.low.x, found.low.y,
+                        found.low.z, found.high.x, found.high.y, found.high.z);
+    if (found.first_bad_line > 0) {
+        text += fmt::format("faults   line {} is no triangle: '{}'\n", found.first_bad_line, found.first_bad_text);
+    }
+    return text;
+}
+
+std::string proposals_text(const std::string& path, const std::vector<RawProposal>& proposals) {
+    std::string text = fmt::format("{}: headerless file of unknown layout\n", path);
+    text += proposals.empty() ? "no usual layout fits its length\n" : "likely layouts, best first:\n";
+    for (const RawProposal& proposal : proposals) {
+        text += fmt::format("  {}  ({})\n", as_options(proposal), proposal.reason);
+    }
+    return text;
+}
+
+std::string scene_text(const std::string& path) {
+    const scene::Scene scene = open_files(std::span(&path, 1), {}, {});
+    std::string text =
+        fmt::format("{}: scene of {} nodes and {} lights\n", path, scene.nodes.size(), scene.lights.size());
+    for (const auto& [name, node] : scene.nodes) {
+        const auto* volume = std::get_if<scene::Volume>(&node.content);
+        if (volume == nullptr) {
+            text += fmt::format("  group  {}\n", name);
+        } else {
+            const scene::VolumeGrid& grid = **volume->grid;
+            text += fmt::format("  volume {}: {}, {}, values {:.6g} to {:.6g}\n", name, volume->source.file,
+                                layout_words(grid.size, grid.type), grid.smallest, grid.largest);
+        }
+    }
+    for (const auto& [name, light] : scene.lights) {
+        text += fmt::format("  light  {}: {}\n", name, scene::enum_words<scene::LightKind>()[std::size_t(light->kind)]);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string describe_file(const std::string& argument, const scene::VolumeSource& hints) {
+    std::string ending = std::filesystem::path(argument).extension().string();
+    if (is_builtin(argument) || ending != ".raw") {
+        return scene_text(argument);
+    }
+    if (const auto triangles = read_ascii_triangles(argument)) {
+        return triangles_text(argument, *triangles);
+    }
+    const RawLayoutParts known = known_layout_parts(argument, hints);
+    if (!known.complete()) {
+        return proposals_text(argument, propose_layouts(argument, known.as_hints(), 5));
+    }
+    return raw_text(argument, hints);
+}
+
+}  // namespace bruma::io

@@ -1,0 +1,15 @@
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace bruma::io {
+
+/// JSON for people: two blanks of indent, short arrays on one line, numbers as short as they are exact, a newline at
+/// the end. Throws InputError for texts that are not UTF-8.
+std::string json_text(const nlohmann::json& document);
+
+/// JSON of a text. A fault is told as NAME:line:column with what was found and expected; a key given twice in one
+/// object is a fault too. Throws InputError only. `name` is the file's name or an option.
+nlohmann::json parse_json(const std::string& text, const std::string& name);
+
+}  // namespace bruma::io

@@ -1,0 +1,175 @@
+#include "io/open.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "io/grid_source.h"
+#include "io/raw_name.h"
+#include "io/scene_file.h"
+#include "io/scene_json.h"
+#include "io/scene_settings.h"
+#include "scene/builtin.h"
+
+namespace bruma::io {
+namespace {
+
+using Folders = std::vector<std::filesystem::path>;
+
+enum class FileKind { scene, raw_volume, builtin_volume, builtin_scene };
+
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+FileKind kind_of(const std::string& argument) {
+    if (is_builtin(argument)) {
+        const std::string name = builtin_name(argument);
+        std::vector<std::string> known = scene::builtin_volume_names();
+        if (holds(known, name)) {
+            return FileKind::builtin_volume;
+        }
+        const std::vector<std::string> scenes = scene::builtin_scene_names();
+        if (holds(scenes, name)) {
+            return FileKind::builtin_scene;
+        }
+        known.insert(known.end(), scenes.begin(), scenes.end());
+        throw InputError(fmt::format("{}: nothing of this name is built in{}", argument, suggestion(name, known)));
+    }
+    std::string ending = std::filesystem::path(argument).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (ending == ".json") {
+        return FileKind::scene;
+    }
+    if (ending == ".raw") {
+        return FileKind::raw_volume;
+    }
+    throw InputError(fmt::format("{}: {} is not read; known are .json scenes, .raw volumes and builtin:NAME", argument,
+                                 ending.empty() ? "a name without ending" : "'" + ending + "'"));
+}
+
+std::string unique_name(const scene::Scene& scene, const std::string& wanted) {
+    std::string name = wanted;
+    for (int n = 2; scene.nodes.contains(name); ++n) {
+        name = fmt::format("{}_{}", wanted, n);
+    }
+    return name;
+}
+
+bool overlap(const scene::Bounds& a, const scene::Bounds& b) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (a.low[axis] >= b.high[axis] || b.low[axis] >= a.high[axis]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void add_volume(scene::Scene& scene, const std::string& name, scene::VolumeSource source,
+                std::shared_ptr<const scene::VolumeGrid> grid) {
+    scene::Volume volume;
+    volume.source = std::move(source);
+    volume.transfer_function = scene::suggested_transfer_function(*grid);
+    const glm::dvec3 extent = grid->extent();
+    volume.grid = std::move(grid);
+    scene::Node node;
+    if (!scene::shown_volumes(scene).empty()) {
+        const scene::Bounds taken = scene::world_bounds(scene);
+        if (overlap(taken, {-0.5 * extent, 0.5 * extent})) {
+            const double gap = 0.1 * std::max(extent.x, taken.high.x - taken.low.x);
+            node.transform.edit(
+                [&](scene::Transform& transform) { transform.translation.x = taken.high.x + gap + 0.5 * extent.x; });
+        }
+    }
+    node.content = std::move(volume);
+    scene.nodes.emplace(unique_name(scene, name), std::move(node));
+}
+
+scene::Scene whole_scene(const std::string& argument, FileKind kind, const Progress& progress, const Folders& folders) {
+    return kind == FileKind::scene ? read_scene_file(argument, progress, folders)
+                                   : scene::builtin_scene(builtin_name(argument));
+}
+
+void add_without_light(scene::Scene& scene, const std::string& argument, const scene::VolumeSource& hints,
+                       const Progress& progress, const Folders& folders) {
+    const FileKind kind = kind_of(argument);
+    if (kind == FileKind::scene || kind == FileKind::builtin_scene) {
+        if (!scene.nodes.empty()) {
+            throw InputError(
+                fmt::format("{}: a whole scene cannot be added to another one; name it first, or open it "
+                            "alone",
+                            argument));
+        }
+        scene = whole_scene(argument, kind, progress, folders);
+        return;
+    }
+    scene::VolumeSource source;
+    std::string name = builtin_name(argument);
+    if (kind == FileKind::raw_volume) {
+        source = hints;
+        name = make_grid_name(argument);
+    }
+    source.file = argument;
+    auto grid = load_grid(source, progress);
+    add_volume(scene, name, std::move(source), std::move(grid));
+}
+
+void add_default_light(scene::Scene& scene) {
+    if (scene.lights.empty()) {
+        scene.lights.emplace("headlight", scene::Light{.kind = scene::LightKind::headlight});
+    }
+}
+
+}  // namespace
+
+scene::Scene open_files(std::span<const std::string> arguments, const scene::VolumeSource& hints,
+                        std::span<const std::string> settings, const Progress& progress,
+                        const Folders& preset_folders) {
+    // Names are judged before the first gigabyte is read.
+    for (const std::string& argument : arguments) {
+        kind_of(argument);
+    }
+    scene::Scene scene;
+    for (std::size_t n = 0; n < arguments.size(); ++n) {
+        const auto part = [&](double share, std::string_view what) {
+            progress((double(n) + share) / double(arguments.size()), what);
+        };
+        add_without_light(scene, arguments[n], hints, progress ? Progress(part) : Progress(), preset_folders);
+    }
+    add_default_light(scene);
+    return settings.empty() ? scene : with_settings(scene, settings, progress, preset_folders);
+}
+
+void add_file(scene::Scene& scene, const std::string& argument, const scene::VolumeSource& hints,
+              const Progress& progress, const Folders& preset_folders) {
+    scene::Scene changed = scene;
+    add_without_light(changed, argument, hints, progress, preset_folders);
+    add_default_light(changed);
+    scene::check(changed);
+    scene = std::move(changed);
+}
+
+scene::Scene with_settings(const scene::Scene& scene, std::span<const std::string> settings, const Progress& progress,
+                           const Folders& preset_folders) {
+    nlohmann::json document = to_json(scene);
+    const bool about_camera = std::any_of(settings.begin(), settings.end(),
+                                          [](const std::string& setting) { return setting.starts_with("camera."); });
+    if (about_camera && !scene.camera) {
+        // One part of the camera is chosen: the others start from the view that shows everything.
+        scene::Scene framed = scene;
+        framed.camera.emplace(scene::fit_camera(scene::world_bounds(scene), 16.0 / 9.0));
+        document = to_json(framed);
+    }
+    for (const std::string& setting : settings) {
+        apply_setting(document, setting);
+    }
+    scene::Scene changed = from_json(document, "--set", preset_folders);
+    load_missing_grids(changed, &scene, progress);
+    return changed;
+}
+
+}  // namespace bruma::io

@@ -1,0 +1,170 @@
+#include "io/scene_json.h"
+
+#include <fmt/core.h>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "io/json_fields.h"
+#include "io/transfer_function_file.h"
+
+namespace bruma::io {
+namespace {
+
+constexpr const char* version_key = "bruma_scene";
+constexpr std::int64_t version = 1;
+/// In the order of the alternatives of scene::Node::content.
+constexpr std::array<std::string_view, 2> node_kinds{"group", "volume"};
+
+template <class T>
+json fields_json(const T& from) {
+    json object = json::object();
+    write_fields(from, object);
+    return object;
+}
+
+json node_json(const scene::Node& node) {
+    json object{{"kind", std::string(node_kinds[node.content.index()])},
+                {"parent", node.parent},
+                {"visible", node.visible},
+                {"transform", fields_json(*node.transform)}};
+    if (const auto* volume = std::get_if<scene::Volume>(&node.content)) {
+        object["source"] = fields_json(volume->source);
+        object["transfer_function"] = transfer_function_json(*volume->transfer_function);
+        object["clip"] = fields_json(*volume->clip);
+        write_fields(*volume->optics, object);
+    }
+    return object;
+}
+
+/// Calls `read(value, path)` when `object` has the key.
+template <class Read>
+void if_present(const json& object, const std::string& where, const char* key, Read&& read) {
+    if (const auto found = object.find(key); found != object.end()) {
+        read(*found, join_path(where, key));
+    }
+}
+
+using Folders = std::vector<std::filesystem::path>;
+
+scene::Volume read_volume(const json& object, const std::string& where, const Folders& folders) {
+    scene::Volume volume;
+    if_present(object, where, "source", [&](const json& from, const std::string& here) {
+        volume.source = read_fields<scene::VolumeSource>(from, here);
+    });
+    if (volume.source.file.empty()) {
+        throw InputError(
+            fmt::format("{}: a volume needs a file or builtin:NAME here", join_path(where, "source.file")));
+    }
+    if_present(object, where, "transfer_function", [&](const json& from, const std::string& here) {
+        volume.transfer_function = from.is_string()
+                                       ? load_transfer_function(find_preset(from.get<std::string>(), folders, here))
+                                       : read_transfer_function(from, here);
+    });
+    if_present(object, where, "clip", [&](const json& from, const std::string& here) {
+        volume.clip = read_fields<scene::ClipBox>(from, here);
+    });
+    scene::VolumeOptics optics;
+    read_present_fields(object, where, optics);
+    volume.optics = optics;
+    return volume;
+}
+
+scene::Node read_node(const json& object, const std::string& where, const Folders& folders) {
+    require_object(object, where);
+    scene::Node node;
+    std::vector<std::string> known{"kind", "parent", "visible", "transform"};
+    const auto kind = object.find("kind");
+    if (kind == object.end()) {
+        throw InputError(fmt::format("{}: missing; expected \"volume\" or \"group\"", join_path(where, "kind")));
+    }
+    if (read_word(*kind, join_path(where, "kind"), node_kinds) == 1) {
+        known.insert(known.end(), {"source", "transfer_function", "clip"});
+        const std::vector<std::string> optics = field_names<scene::VolumeOptics>();
+        known.insert(known.end(), optics.begin(), optics.end());
+        require_known_keys(object, where, known);
+        node.content = read_volume(object, where, folders);
+    } else {
+        require_known_keys(object, where, known);
+    }
+    if_present(object, where, "parent",
+               [&](const json& from, const std::string& here) { read_value(from, Field{}, here, node.parent); });
+    if_present(object, where, "visible",
+               [&](const json& from, const std::string& here) { read_value(from, Field{}, here, node.visible); });
+    if_present(object, where, "transform", [&](const json& from, const std::string& here) {
+        node.transform = read_fields<scene::Transform>(from, here);
+    });
+    return node;
+}
+
+/// Calls `read(name, value, path)` for each named part of an object.
+template <class Read>
+void for_each_named(const json& object, const std::string& where, Read&& read) {
+    require_object(object, where);
+    for (const auto& [name, value] : object.items()) {
+        if (name.empty()) {
+            throw InputError(fmt::format("{}: a name is empty; give it one", where));
+        }
+        read(name, value, join_path(where, name));
+    }
+}
+
+}  // namespace
+
+json to_json(const scene::Scene& scene) {
+    json document{{version_key, version},
+                  {"background", fields_json(*scene.background)},
+                  {"rendering", fields_json(*scene.rendering)},
+                  {"display", fields_json(*scene.display)},
+                  {"lights", json::object()},
+                  {"nodes", json::object()}};
+    if (scene.camera) {
+        document["camera"] = fields_json(**scene.camera);
+    }
+    for (const auto& [name, light] : scene.lights) {
+        document["lights"][name] = fields_json(*light);
+    }
+    for (const auto& [name, node] : scene.nodes) {
+        document["nodes"][name] = node_json(node);
+    }
+    return document;
+}
+
+scene::Scene from_json(const json& document, const std::string& where, const Folders& preset_folders) {
+    const std::string top = where.empty() ? "" : where + ":";
+    require_object(document, top);
+    check_version(document, version_key, version, where);
+    require_known_keys(document, top, {version_key, "camera", "background", "rendering", "display", "lights", "nodes"});
+    scene::Scene scene;
+    if_present(document, top, "camera", [&](const json& from, const std::string& here) {
+        if (!from.is_null()) {
+            scene.camera.emplace(read_fields<scene::Camera>(from, here));
+        }
+    });
+    if_present(document, top, "background", [&](const json& from, const std::string& here) {
+        scene.background = read_fields<scene::Background>(from, here);
+    });
+    if_present(document, top, "rendering", [&](const json& from, const std::string& here) {
+        scene.rendering = read_fields<scene::RenderSettings>(from, here);
+    });
+    if_present(document, top, "display", [&](const json& from, const std::string& here) {
+        scene.display = read_fields<scene::Display>(from, here);
+    });
+    if_present(document, top, "lights", [&](const json& lights, const std::string& here) {
+        for_each_named(lights, here, [&](const std::string& name, const json& from, const std::string& path) {
+            scene.lights.emplace(name, read_fields<scene::Light>(from, path));
+        });
+    });
+    if_present(document, top, "nodes", [&](const json& nodes, const std::string& here) {
+        for_each_named(nodes, here, [&](const std::string& name, const json& from, const std::string& path) {
+            scene.nodes.emplace(name, read_node(from, path, preset_folders));
+        });
+    });
+    try {
+        scene::check(scene);
+    } catch (const InputError& error) {
+        throw InputError(where.empty() ? error.what() : fmt::format("{}: {}", where, error.what()));
+    }
+    return scene;
+}
+
+}  // namespace bruma::io

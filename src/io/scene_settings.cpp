@@ -1,0 +1,141 @@
+#include "io/scene_settings.h"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "io/json_fields.h"
+#include "scene/camera.h"
+
+namespace bruma::io {
+namespace {
+
+std::vector<std::string> split(std::string_view path) {
+    std::vector<std::string> parts(1);
+    for (const char c : path) {
+        if (c == '.') {
+            parts.emplace_back();
+        } else {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
+std::vector<std::string> keys_of(const json& object) {
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : object.items()) {
+        keys.push_back(key);
+    }
+    return keys;
+}
+
+/// Walks down a path; `setting` opens the messages.
+class Walk {
+  public:
+    Walk(std::string_view setting, std::vector<std::string> parts) : setting_(setting), parts_(std::move(parts)) {}
+
+    json& down(json& from, std::size_t first) const {
+        json* at = &from;
+        for (std::size_t n = first; n < parts_.size();) {
+            at = at->is_object() ? &member(*at, n) : &element(*at, n);
+        }
+        return *at;
+    }
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw InputError(fmt::format("--set {}: {}", setting_, what));
+    }
+
+  private:
+    /// Moves `n` behind the parts it used: names may hold dots, so as many parts as it takes are tried.
+    json& member(json& object, std::size_t& n) const {
+        std::string key;
+        for (std::size_t last = n; last < parts_.size(); ++last) {
+            key += (last == n ? "" : ".") + parts_[last];
+            if (const auto found = object.find(key); found != object.end()) {
+                n = last + 1;
+                return *found;
+            }
+        }
+        fail(fmt::format("there is no '{}' here{}", parts_[n], suggestion(parts_[n], keys_of(object))));
+    }
+
+    json& element(json& array, std::size_t& n) const {
+        const std::string& part = parts_[n];
+        if (array.is_null()) {
+            fail(fmt::format("what '{}' would be a part of is null; set the whole first", part));
+        }
+        if (!array.is_array()) {
+            fail(fmt::format("'{}' goes too far, the path ends in a single value before it", part));
+        }
+        std::size_t index = 0;
+        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
+        if (error != std::errc() || end != part.data() + part.size() || index >= array.size()) {
+            fail(fmt::format("'{}' is no index of an array of {} parts, counted from 0", part, array.size()));
+        }
+        ++n;
+        return array[index];
+    }
+
+    std::string setting_;
+    std::vector<std::string> parts_;
+};
+
+/// The nodes or lights that a kind's name addresses.
+std::vector<json*> all_of_kind(json& document, const std::string& kind) {
+    std::vector<json*> found;
+    json& group = document[kind == "light" ? "lights" : "nodes"];
+    if (group.is_object()) {
+        for (auto& [name, part] : group.items()) {
+            if (kind == "light" || (part.is_object() && part.value("kind", json()) == json(kind))) {
+                found.push_back(&part);
+            }
+        }
+    }
+    return found;
+}
+
+/// JSON where it is JSON, else a word; a place that holds text takes the value as text in any case.
+void assign(json& place, const std::string& value) {
+    json parsed = json::parse(value, nullptr, false);
+    const bool is_text = parsed.is_discarded() || (place.is_string() && !parsed.is_string() && !parsed.is_structured());
+    place = is_text ? json(value) : std::move(parsed);
+}
+
+}  // namespace
+
+void apply_setting(json& scene_document, std::string_view path_equals_value) {
+    const std::size_t equals = path_equals_value.find('=');
+    const std::string_view path = path_equals_value.substr(0, equals);
+    const std::vector<std::string> parts = split(path);
+    const Walk walk(path_equals_value, parts);
+    if (equals == std::string_view::npos || parts.size() < 2) {
+        walk.fail("expected PATH=VALUE with a path such as volume.lighting or nodes.NAME.density_scale");
+    }
+    require_object(scene_document, "");
+    const std::string value(path_equals_value.substr(equals + 1));
+    const std::string& first = parts.front();
+    if (first == "volume" || first == "group" || first == "light") {
+        const std::vector<json*> targets = all_of_kind(scene_document, first);
+        if (targets.empty()) {
+            walk.fail(fmt::format("there is no {} in the scene to change", first));
+        }
+        for (json* target : targets) {
+            assign(walk.down(*target, 1), value);
+        }
+        return;
+    }
+    if (first == "camera" && (!scene_document.contains("camera") || scene_document["camera"].is_null())) {
+        // Nobody has chosen a camera yet: the setting changes the default one.
+        json& camera = scene_document["camera"] = json::object();
+        write_fields(scene::Camera{}, camera);
+    }
+    assign(walk.down(scene_document, 0), value);
+}
+
+}  // namespace bruma::io

@@ -1,0 +1,131 @@
+#include "io/open.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "io/describe.h"
+#include "io/scene_file.h"
+#include "io/scene_json.h"
+#include "io_temporary_folder.h"
+#include "scene/builtin.h"
+
+namespace bruma::io {
+namespace {
+
+std::string ramp_bytes() {
+    std::string bytes;
+    for (int n = 0; n < 8 * 8 * 8; ++n) {
+        bytes += char(n % 200);
+    }
+    return bytes;
+}
+
+/// A bell curve in the middle of 16^3 samples: smooth along all axes, so that its layout can be found out.
+std::string bell_bytes() {
+    std::string bytes;
+    for (int n = 0; n < 16 * 16 * 16; ++n) {
+        const glm::vec3 p = glm::vec3(n % 16, n / 16 % 16, n / 256) - 7.5F;
+        bytes += char(std::lround(255.0F * std::exp(-0.08F * glm::dot(p, p))));
+    }
+    return bytes;
+}
+
+const scene::Volume& volume_of(const scene::Scene& scene, const std::string& name) {
+    return std::get<scene::Volume>(scene.nodes.at(name).content);
+}
+
+TEST(Open, NamesNodesAfterFilesAndSetsThemSideBySide) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("ramp_8x8x8_uint8.raw", ramp_bytes()).string();
+    const std::vector<std::string> arguments{file, file, "builtin:" + scene::builtin_volume_names().front()};
+    const scene::Scene scene = open_files(arguments, {}, {});
+    EXPECT_EQ(scene.nodes.size(), 3U);
+    ASSERT_TRUE(scene.nodes.contains("ramp"));
+    ASSERT_TRUE(scene.nodes.contains("ramp_2"));
+    EXPECT_EQ(scene.nodes.at("ramp").transform->translation, glm::dvec3(0.0));
+    // 8 mm wide, half of it to each side, and a tenth as gap.
+    EXPECT_NEAR(scene.nodes.at("ramp_2").transform->translation.x, 8.8e-3, 1e-12);
+    ASSERT_EQ(scene.lights.size(), 1U);
+    EXPECT_EQ(scene.lights.at("headlight")->kind, scene::LightKind::headlight);
+}
+
+TEST(Open, AppliesSettingsAndSharesTheGrids) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("ramp_8x8x8_uint8.raw", ramp_bytes()).string();
+    const std::vector<std::string> settings{"volume.lighting=gradient", "camera.vertical_angle=20"};
+    const scene::Scene scene = open_files(std::vector{file}, {}, settings);
+    EXPECT_EQ(volume_of(scene, "ramp").optics->lighting, scene::VolumeLighting::gradient);
+    EXPECT_EQ((*scene.camera)->vertical_angle_deg, 20.0);
+    const scene::Scene changed = with_settings(scene, std::vector<std::string>{"volume.ambient=0.5"});
+    EXPECT_EQ(*volume_of(changed, "ramp").grid, *volume_of(scene, "ramp").grid);
+    EXPECT_TRUE(contains(refusal([&] { with_settings(scene, std::vector<std::string>{"volume.ambient=50"}); }),
+                         "--set: nodes.ramp.ambient: 50 is above 10"));
+}
+
+TEST(Open, RefusesUnknownEndingsAndNames) {
+    const auto fault = [](const std::string& argument) {
+        return refusal([&] { open_files(std::vector{argument}, {}, {}); });
+    };
+    EXPECT_TRUE(
+        contains(fault("a.obj"), "a.obj: '.obj' is not read; known are .json scenes, .raw volumes and builtin:NAME"));
+    EXPECT_TRUE(contains(fault("abc"), "a name without ending"));
+    EXPECT_TRUE(contains(fault("builtin:" + scene::builtin_volume_names().front() + "x"), "did you mean"));
+}
+
+TEST(Open, AFailedAdditionLeavesTheSceneAlone) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("ramp_8x8x8_uint8.raw", ramp_bytes()).string();
+    scene::Scene scene = open_files(std::vector{file}, {}, {});
+    const auto before = to_json(scene);
+    EXPECT_NE(refusal([&] { add_file(scene, (folder / "none.raw").string(), {}); }), "");
+    EXPECT_NE(refusal([&] { add_file(scene, folder.write("s.json", R"({"bruma_scene": 1})").string(), {}); }), "");
+    EXPECT_EQ(to_json(scene), before);
+    add_file(scene, file, {});
+    EXPECT_EQ(scene.nodes.size(), 2U);
+}
+
+TEST(SceneFile, PathsFollowTheFile) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "data");
+    std::filesystem::create_directories(folder / "scenes");
+    const std::string file = folder.write("data/ramp_8x8x8_uint8.raw", ramp_bytes()).string();
+    const scene::Scene scene = open_files(std::vector{file}, {}, {});
+    const auto path = folder / "scenes/one.json";
+    save_scene_file(scene, path);
+    std::ifstream text(path);
+    EXPECT_EQ(nlohmann::json::parse(text)["nodes"]["ramp"]["source"]["file"], "../data/ramp_8x8x8_uint8.raw");
+    const scene::Scene again = read_scene_file(path);
+    EXPECT_EQ(to_json(again), to_json(scene));
+    EXPECT_EQ((*volume_of(again, "ramp").grid)->voxels, (*volume_of(scene, "ramp").grid)->voxels);
+
+    std::filesystem::remove(file);
+    const std::string sentence = refusal([&] { read_scene_file(path); });
+    EXPECT_TRUE(contains(sentence, path.string() + ": nodes.ramp.source: ")) << sentence;
+    EXPECT_TRUE(contains(sentence, "no such file"));
+}
+
+TEST(SceneFile, EveryBuiltinSceneCanBeSavedAndReadBack) {
+    const TemporaryFolder folder;
+    for (const std::string& name : scene::builtin_scene_names()) {
+        const scene::Scene scene = open_files(std::vector<std::string>{"builtin:" + name}, {}, {});
+        save_scene_file(scene, folder / (name + ".json"));
+        EXPECT_EQ(to_json(read_scene_file(folder / (name + ".json"))), to_json(scene)) << name;
+    }
+}
+
+TEST(Describe, TellsAVolumeFromTrianglesAndRiddles) {
+    const TemporaryFolder folder;
+    const std::string volume = describe_file(folder.write("ramp_8x8x8_u8.raw", ramp_bytes()).string(), {});
+    EXPECT_TRUE(contains(volume, "size     8 x 8 x 8 (file name)")) << volume;
+    EXPECT_TRUE(contains(volume, "spacing  1 x 1 x 1 mm (default)")) << volume;
+    EXPECT_TRUE(contains(volume, "range    0 to 199")) << volume;
+    EXPECT_TRUE(contains(describe_file(folder.write("m.raw", "0 0 0 1 0 0 0 1 0\n").string(), {}), "triangles 1"));
+    const std::string riddle = describe_file(folder.write("data.raw", bell_bytes()).string(), {});
+    EXPECT_TRUE(contains(riddle, "unknown layout")) << riddle;
+    EXPECT_TRUE(contains(riddle, "--dims 16x16x16 --type uint8")) << riddle;
+    EXPECT_TRUE(contains(describe_file("builtin:" + scene::builtin_volume_names().front(), {}), "volume"));
+}
+
+}  // namespace
+}  // namespace bruma::io
