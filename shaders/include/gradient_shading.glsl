@@ -17,8 +17,8 @@ struct Surface {
 };
 uniform Surface surface[VOLUMES];
 
-vec3 ray_direction_world;   // unit
-vec3 ray_origin_steps;      // origin of this ray relative to the camera, in steps
+vec3 ray_direction_world = vec3(0.0);  // unit
+vec3 ray_origin_steps = vec3(0.0);     // origin of this ray relative to the camera, in steps
 
 struct Reflected {
     vec3 diffuse;    // factor of the surface's colour

@@ -8,7 +8,7 @@
 // Holes that the including shader fills before it includes this file:
 //
 //   struct Sample                            what is looked up at one point of the ray
-//   Sample medium_sample(float t)
+//   Sample medium_sample(float t), Sample medium_nothing()
 //   bool medium_segment(Sample front, Sample back, float t_front, float t_back, out float tau, out vec3 source)
 //       optical depth (>= 0, finite) and mean source radiance (finite) between two nodes; false when it is empty,
 //       judged on looked-up values and not on a computed opacity. With SAMPLE_AT_MIDPOINTS both samples are the one
@@ -91,7 +91,7 @@ Marched march(March m)
     // One sample a turn, at node n when the front is missing and else at node n + 1: lanes that run side by side stay
     // in step.
     bool has_front = false;
-    Sample front;
+    Sample front = medium_nothing();
     for (int n = 0; n < last;) {
         float t_front = node_t(m, n);
 #ifdef LEAP

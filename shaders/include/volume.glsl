@@ -38,6 +38,18 @@ struct Sample {
 #endif
 };
 
+Sample medium_nothing()
+{
+    Sample s;
+    for (int m = 0; m < VOLUMES; ++m) {
+        s.u[m] = 0.0;
+#ifndef SAMPLE_AT_MIDPOINTS
+        s.depth[m] = vec2(0.0);
+#endif
+    }
+    return s;
+}
+
 Sample medium_sample(float t)
 {
     Sample s;

@@ -78,17 +78,6 @@ struct ProgramTraits {
     static GLuint create() { return glCreateProgram(); }
     static void destroy(GLuint name) { glDeleteProgram(name); }
 };
-struct TimerTraits {
-    static constexpr GLenum identifier = GL_QUERY;
-    static GLuint create() {
-        GLuint name = 0;
-        glCreateQueries(GL_TIME_ELAPSED, 1, &name);
-        return name;
-    }
-    static void destroy(GLuint name) { glDeleteQueries(1, &name); }
-};
-
 using VertexArray = Object<VertexArrayTraits>;
-using Timer = Object<TimerTraits>;
 
 }  // namespace bruma::gl

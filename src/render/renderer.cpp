@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace bruma::render {
 
@@ -46,15 +47,14 @@ const RunReport& Renderer::render(const scene::Scene& scene, const View& view, b
     update(scene, view);
     FrameGraph::Stopwatch stopwatch;
     if (measure_gpu) {
-        stopwatch = [this](const std::function<void()>& body) {
+        stopwatch = [](const std::function<void()>& body) {
+            // Wall time between two drained queues: on hardware it holds the submission too, and on software renderers,
+            // whose timer queries were seen to give nonsense, it is the time.
             glFinish();
-            glBeginQuery(GL_TIME_ELAPSED, timer_.name());
+            const auto start = std::chrono::steady_clock::now();
             body();
-            glEndQuery(GL_TIME_ELAPSED);
             glFinish();
-            GLuint64 nanoseconds = 0;
-            glGetQueryObjectui64v(timer_.name(), GL_QUERY_RESULT, &nanoseconds);
-            return double(nanoseconds) * 1e-6;
+            return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
         };
     }
     return graph_.run({march_.picture.index}, stopwatch);

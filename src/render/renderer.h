@@ -23,8 +23,8 @@ class Renderer {
   public:
     explicit Renderer(gl::ShaderLibrary& shaders);
 
-    /// Brings the picture up to date; the scene needs a camera, and its volumes their grids. With `measure_gpu` each
-    /// pass is timed with the GPU drained before and after.
+    /// Brings the picture up to date; the scene needs a camera, and its volumes their grids. With `measure_gpu` the
+    /// GPU is drained around each pass, so that its time is known.
     const RunReport& render(const scene::Scene& scene, const View& view, bool measure_gpu = false);
 
     /// The last picture, still on the GPU.
@@ -45,7 +45,6 @@ class Renderer {
     gl::ShaderLibrary& shaders_;
     MarchPass march_;
     MarchPass::Volumes volumes_;
-    gl::Timer timer_{"pass timer"};
 };
 
 }  // namespace bruma::render

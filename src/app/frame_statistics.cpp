@@ -1,0 +1,124 @@
+#include "app/frame_statistics.h"
+
+#include <GL/glew.h>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "context/context.h"
+
+namespace bruma::app {
+namespace {
+
+double median(std::vector<double> values) {
+    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+    return values[values.size() / 2];
+}
+
+/// Largest source radiance behind a terminated ray: colours with their glow, and the background.
+double largest_radiance(const scene::Scene& scene) {
+    const auto largest = [](glm::dvec3 v) { return std::max({v.x, v.y, v.z}); };
+    double most = std::max(largest(scene.background->top), largest(scene.background->bottom));
+    double light = 1.0;
+    for (const auto& [name, lamp] : scene.lights) {
+        light += lamp->on ? lamp->intensity * largest(lamp->color) : 0.0;
+    }
+    for (const std::string& name : scene::shown_volumes(scene)) {
+        const auto& volume = std::get<scene::Volume>(scene.nodes.at(name).content);
+        const bool lit = volume.optics->lighting != scene::VolumeLighting::none;
+        for (int n = 0; n <= 256; ++n) {
+            const double c = largest(scene::color_at(*volume.transfer_function, n / 256.0));
+            const double e = scene::emission_at(*volume.transfer_function, n / 256.0);
+            const double shaded = c * (volume.optics->ambient + volume.optics->diffuse * light) +
+                                  volume.optics->specular * light;
+            most = std::max(most, (lit ? std::max(c, shaded) : c) + c * e);
+        }
+    }
+    return most;
+}
+
+}  // namespace
+
+std::string explanation(const render::RunReport& report) {
+    std::size_t width = 4;
+    for (const render::PassReport& pass : report) {
+        width = std::max(width, pass.name.size());
+    }
+    std::string text = fmt::format("{:{}}  {:7}  {:>8}  {:>8}  why\n", "pass", width, "", "CPU ms", "GPU ms");
+    for (const render::PassReport& pass : report) {
+        const std::string cpu = pass.ran ? fmt::format("{:.2f}", pass.cpu_ms) : "-";
+        const std::string gpu = pass.ran && pass.gpu_ms >= 0.0 ? fmt::format("{:.2f}", pass.gpu_ms) : "-";
+        text += fmt::format("{:{}}  {:7}  {:>8}  {:>8}  {}{}\n", pass.name, width, pass.ran ? "ran" : "skipped", cpu, gpu,
+                            pass.reason, pass.note.empty() ? "" : " (" + pass.note + ")");
+    }
+    return text;
+}
+
+FrameStatistics measure_frame(render::Renderer& renderer, scene::Scene scene, const render::View& view, int repeats) {
+    FrameStatistics statistics;
+    statistics.passes = renderer.render(scene, view, true);
+    statistics.samples = renderer.count_samples(scene, view);
+    statistics.step_mm = 1e3 * render::Renderer::step_world(scene) * view.step_scale;
+    if (scene.rendering->early_termination) {
+        statistics.termination_bound = scene.rendering->stop_transmittance * largest_radiance(scene);
+    }
+    const scene::RenderSettings as_set = *scene.rendering;
+    scene::RenderSettings brute = as_set;
+    brute.empty_space_skipping = false;
+    brute.early_termination = false;
+    const auto timed = [&](const scene::RenderSettings& settings) {
+        scene.rendering.set(settings);
+        // A background of another colour makes the picture stale even when both settings are the same.
+        scene.background.edit([](scene::Background& b) { b.top.x = b.top.x == 0.0 ? 1e-9 : 0.0; });
+        glFinish();
+        const auto start = std::chrono::steady_clock::now();
+        renderer.render(scene, view);
+        glFinish();
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    };
+    timed(brute);  // compiles its shader
+    std::vector<double> fast_ms, brute_ms;
+    for (int n = 0; n < repeats; ++n) {
+        fast_ms.push_back(timed(as_set));
+        brute_ms.push_back(timed(brute));
+    }
+    statistics.frame_ms = median(fast_ms);
+    statistics.brute_ms = median(brute_ms);
+    statistics.brute_samples = renderer.count_samples(scene, view);
+    return statistics;
+}
+
+nlohmann::json to_json(const FrameStatistics& s) {
+    const context::DriverInfo driver = context::driver_info();
+    nlohmann::json passes = nlohmann::json::array();
+    for (const render::PassReport& pass : s.passes) {
+        passes.push_back({{"name", pass.name}, {"computes", pass.sentence}, {"ran", pass.ran}, {"reason", pass.reason},
+                          {"cpu_ms", pass.cpu_ms}, {"gpu_ms", pass.gpu_ms}, {"note", pass.note}});
+    }
+    return {{"driver", {{"vendor", driver.vendor}, {"renderer", driver.renderer}, {"version", driver.version}}},
+            {"passes", passes},
+            {"step_mm", s.step_mm},
+            {"early_termination_error_bound", s.termination_bound},
+            {"frame", {{"march_ms_median", s.frame_ms}, {"samples", s.samples.samples},
+                       {"samples_per_pixel", s.samples.samples_per_pixel},
+                       {"emptiness_queries", s.samples.emptiness_queries}}},
+            {"brute_force", {{"march_ms_median", s.brute_ms}, {"samples", s.brute_samples.samples},
+                             {"samples_per_pixel", s.brute_samples.samples_per_pixel}}},
+            {"ratio", {{"time", s.brute_ms / std::max(1e-9, s.frame_ms)},
+                       {"samples", double(s.brute_samples.samples) / double(std::max<std::uint64_t>(1, s.samples.samples))}}}};
+}
+
+std::string summary(const FrameStatistics& s) {
+    return fmt::format(
+        "march {:.1f} ms, {:.1f} samples per pixel ({:.2f} M, {:.2f} M queries of emptiness)\n"
+        "without skipping and early termination {:.1f} ms, {:.1f} samples per pixel ({:.2f} M): {:.2f} x the time, "
+        "{:.2f} x the samples\n"
+        "early termination changes no pixel by more than {:.2g}; skipping changes none\n",
+        s.frame_ms, s.samples.samples_per_pixel, 1e-6 * double(s.samples.samples),
+        1e-6 * double(s.samples.emptiness_queries), s.brute_ms, s.brute_samples.samples_per_pixel,
+        1e-6 * double(s.brute_samples.samples), s.brute_ms / std::max(1e-9, s.frame_ms),
+        double(s.brute_samples.samples) / double(std::max<std::uint64_t>(1, s.samples.samples)), s.termination_bound);
+}
+
+}  // namespace bruma::app

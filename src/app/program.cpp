@@ -1,0 +1,139 @@
+#include "app/program.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <filesystem>
+#include <new>
+
+#include "app/scene_arguments.h"
+#include "app/verbs/verbs.h"
+#include "base/error.h"
+#include "base/installation.h"
+#include "base/log.h"
+#include "base/nearest_name.h"
+
+namespace bruma::app {
+namespace {
+
+const char* const footer = R"(Without a verb, the files open in the viewer: bruma [FILE...]
+Exit codes: 0 done, 1 the answer is 'no' (compare, stress), 2 the input is at fault, 3 this machine cannot.)";
+
+std::vector<std::string> option_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& name : option->get_lnames()) {
+            names.push_back("--" + name);
+        }
+    }
+    return names;
+}
+
+/// One sentence for what CLI11 did not like.
+int tell(const CLI::App& app, const CLI::ParseError& fault) {
+    if (fault.get_exit_code() == int(CLI::ExitCodes::Success)) {
+        return app.exit(fault);  // --help
+    }
+    std::string sentence = fault.what();
+    if (dynamic_cast<const CLI::ExtrasError*>(&fault)) {
+        for (const std::string& word : app.remaining(true)) {
+            if (word.starts_with("-")) {
+                const std::string name = word.substr(0, word.find('='));
+                const CLI::App* used = &app;
+                for (const CLI::App* verb : app.get_subcommands()) {
+                    used = verb;
+                }
+                sentence = fmt::format("{}: unknown option{}", name, suggestion(name, option_names(*used)));
+                break;
+            }
+        }
+    }
+    fmt::print(stderr, "bruma: {}; 'bruma --help' lists what there is\n", sentence);
+    return int(ExitCode::user_input);
+}
+
+/// A first word that is neither a verb nor a file was meant as one of them.
+void check_first_word(const std::vector<std::string>& arguments, const std::vector<std::string>& verbs) {
+    if (arguments.empty() || arguments[0].starts_with("-") || arguments[0].find_first_of(":./") != std::string::npos) {
+        return;
+    }
+    std::error_code error;
+    const bool is_verb = std::find(verbs.begin(), verbs.end(), arguments[0]) != verbs.end();
+    if (!is_verb && !std::filesystem::exists(arguments[0], error)) {
+        throw InputError(fmt::format("{}: neither a verb nor a file{}", arguments[0], suggestion(arguments[0], verbs)));
+    }
+}
+
+int run(const std::vector<std::string>& arguments, const Viewer& viewer) {
+    CLI::App app("Bruma: light that scatters, measured against a slow, true picture.", "bruma");
+    app.footer(footer);
+    app.set_version_flag("--version", "bruma 0.1.0");
+    bool verbose = false;
+    std::string shaders;
+    std::string drive;
+    Verb chosen;
+
+    SceneArguments to_view;
+    to_view.declare(app, true);
+    app.add_option("--drive", drive, "file of steps that the viewer acts out by itself (for tests)");
+    const auto common = [&](CLI::App& verb) {
+        verb.add_flag("-v,--verbose", verbose, "say more on standard error");
+        verb.add_option("--shaders", shaders, "folder of the shaders, to try out changed ones");
+    };
+    common(app);
+    std::vector<std::string> verbs;
+    const auto add = [&](const char* name, const char* sentence, auto declare) {
+        CLI::App* verb = app.add_subcommand(name, sentence);
+        common(*verb);
+        const Verb run_verb = declare(*verb);
+        verb->callback([&chosen, run_verb] { chosen = run_verb; });
+        verbs.emplace_back(name);
+    };
+    add("render", "a picture of a scene, without a window",
+        [&](CLI::App& verb) { return declare_render(verb, arguments); });
+    add("reference", "the same picture in double precision, with its stated error", declare_reference);
+    add("compare", "how far a picture is from another", declare_compare);
+    add("info", "what a file holds, or what it may hold", declare_info);
+    add("parameters", "every parameter of a scene, its path, meaning and range", declare_describe_parameters);
+    add("shaders", "the shaders as the driver gets them", declare_shaders);
+
+    check_first_word(arguments, verbs);
+    try {
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::ParseError& fault) {
+        return tell(app, fault);
+    }
+    set_log_level(verbose ? LogLevel::detail : LogLevel::note);
+    if (!shaders.empty()) {
+        use_folder("shaders", shaders);
+    }
+    if (chosen) {
+        return chosen();
+    }
+    if (!viewer) {
+        throw MachineError("this program opens no windows; 'bruma' does, and 'render' needs none");
+    }
+    const glm::ivec2 size = to_view.pixels();
+    return viewer({to_view.files, to_view.hints(), to_view.settings, to_view.camera, to_view.up, drive, size.x, size.y});
+}
+
+}  // namespace
+
+int run_program(const std::vector<std::string>& arguments, const Viewer& viewer) {
+    try {
+        return run(arguments, viewer);
+    } catch (const Error& fault) {
+        fmt::print(stderr, "bruma: {}\n", fault.what());
+        return int(fault.code());
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "bruma: not enough memory for this; close other programs or use smaller data\n");
+        return int(ExitCode::machine);
+    } catch (const std::exception& fault) {
+        fmt::print(stderr, "bruma: {} (this is a fault of the program; please report it with the command)\n",
+                   fault.what());
+        return int(ExitCode::machine);
+    }
+}
+
+}  // namespace bruma::app

@@ -1,0 +1,37 @@
+#pragma once
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+#include "io/progress.h"
+#include "scene/scene.h"
+
+namespace bruma::app {
+
+/// The arguments that every verb shares which takes a scene: files, what headerless files do not say, settings, view.
+struct SceneArguments {
+    std::vector<std::string> files;
+    std::vector<std::string> settings;
+    std::string dims, type, spacing, endian;
+    std::int64_t offset = -1;
+    std::string size = "1280x720";
+    std::string camera;
+    std::string up;
+
+    void declare(CLI::App& app, bool with_view);
+    /// Throws InputError for words that are no layout.
+    scene::VolumeSource hints() const;
+    glm::ivec2 pixels() const;
+};
+
+/// Opens the files as one scene, with a camera: the scene's own, or one that shows everything.
+scene::Scene open_scene(const SceneArguments& arguments, const io::Progress& progress = {});
+
+/// The folders where presets are looked up by name.
+std::vector<std::filesystem::path> preset_folders();
+
+/// Puts a camera that shows everything into a scene that has none, or when `view` names one: a side (front, back, left,
+/// right, top, bottom), or 'AZIMUTH,ELEVATION[,ZOOM]' in degrees. `up` is an axis of the world: x, -x, y, -y, z or -z.
+void place_camera(scene::Scene& scene, double aspect, const std::string& view, const std::string& up);
+
+}  // namespace bruma::app

@@ -1,0 +1,97 @@
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/frame_statistics.h"
+#include "app/scene_arguments.h"
+#include "app/sibling.h"
+#include "app/verbs/verbs.h"
+#include "base/error.h"
+#include "base/installation.h"
+#include "base/log.h"
+#include "io/atomic_file.h"
+#include "io/picture_file.h"
+#include "io/raw_volume.h"
+#include "render/presenter.h"
+
+namespace bruma::app {
+namespace {
+
+struct RenderArguments {
+    SceneArguments scene;
+    std::string output;
+    std::string context = "auto";
+    std::string stats;
+    std::string graph;
+    bool explain = false;
+    int repeats = 5;
+};
+
+/// Refuses a picture that would not fit before anything is loaded.
+void check_room(glm::ivec2 pixels) {
+    const context::DriverInfo driver = context::driver_info();
+    if (std::max(pixels.x, pixels.y) > driver.largest_2d_texture) {
+        throw InputError(fmt::format("--size {}x{}: this driver draws at most {} pixels along an edge; choose less",
+                                     pixels.x, pixels.y, driver.largest_2d_texture));
+    }
+    // Picture, its copy in memory and the display values.
+    const std::uint64_t needed = std::uint64_t(pixels.x) * pixels.y * (16 + 32 + 12);
+    if (needed > io::available_memory()) {
+        throw InputError(fmt::format("--size {}x{}: needs {} MiB, but {} MiB are free; choose less", pixels.x, pixels.y,
+                                     needed >> 20, io::available_memory() >> 20));
+    }
+}
+
+int render(const RenderArguments& arguments, const std::vector<std::string>& command_line) {
+    const glm::ivec2 pixels = arguments.scene.pixels();
+    const io::PictureFormat format = io::picture_format(arguments.output);
+    const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
+    const context::DriverInfo driver = context::driver_info();
+    log_detail("{}: {}, {}", context->way(), driver.renderer, driver.version);
+    check_room(pixels);
+
+    const scene::Scene scene = open_scene(arguments.scene);
+    gl::ShaderLibrary shaders(installed_folder("shaders"));
+    render::Renderer renderer(shaders);
+    render::Presenter presenter(shaders);
+    const render::View view{pixels, 1.0};
+    const render::RunReport& report = renderer.render(scene, view, arguments.explain);
+
+    if (format == io::PictureFormat::png) {
+        io::write_png(arguments.output, {pixels.x, pixels.y, presenter.read(renderer.picture(), *scene.display)});
+    } else {
+        io::write_picture(arguments.output, renderer.read_picture(), {});
+    }
+    if (arguments.explain) {
+        fmt::print(stderr, "{} through {}: {}\n{}", driver.renderer, context->way(), driver.version,
+                   explanation(report));
+    }
+    if (!arguments.graph.empty()) {
+        io::write_file_atomically(arguments.graph, renderer.graph().drawing());
+    }
+    if (!arguments.stats.empty()) {
+        render::Renderer fresh(shaders);
+        const FrameStatistics statistics = measure_frame(fresh, scene, view, arguments.repeats);
+        fmt::print(stderr, "{}", summary(statistics));
+        io::write_file_atomically(arguments.stats, to_json(statistics).dump(2) + "\n");
+    }
+    return int(ExitCode::done);
+}
+
+}  // namespace
+
+Verb declare_render(CLI::App& app, const std::vector<std::string>& command_line) {
+    auto arguments = std::make_shared<RenderArguments>();
+    arguments->scene.declare(app, true);
+    app.add_option("-o,--output", arguments->output, "picture to write: .png, .hdr or .exr; '-' is PNG on standard output")
+        ->required();
+    app.add_option("--context", arguments->context, "auto, egl or osmesa");
+    app.add_option("--stats", arguments->stats, "JSON file: what each pass did, samples, time beside brute force");
+    app.add_option("--repeats", arguments->repeats, "how often --stats draws each frame")->check(CLI::Range(1, 1000));
+    app.add_option("--graph", arguments->graph, "Graphviz file: the frame graph as a drawing");
+    app.add_flag("--explain", arguments->explain, "print what each pass did, for how long, and why");
+    return [arguments, command_line] { return render(*arguments, command_line); };
+}
+
+}  // namespace bruma::app
