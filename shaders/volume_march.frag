@@ -59,7 +59,7 @@ void main()
         volume.direction = mat3(texture_from_camera[v]) * direction;
         volume.low = clip_low[v];
         volume.high = clip_high[v];
-        ray_volumes[v] = volume;
+        begin_ray(v, volume);
         vec2 stretch_of_ray = ray_box(volume.origin, volume.direction, volume.low, volume.high);
         ray_enter[v] = max(stretch_of_ray.x, near_steps * stretch);
         ray_leave[v] = stretch_of_ray.y;
@@ -71,6 +71,7 @@ void main()
 #ifdef LIT
     ray_direction_world = world_from_camera * direction;
     ray_origin_steps = world_from_camera * start;
+    medium_begin();
 #endif
     vec3 background = mix(background_bottom, background_top, gl_FragCoord.y / pixels.y);
     if (!(m.t_out > m.t_in)) {

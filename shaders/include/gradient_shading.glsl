@@ -13,7 +13,8 @@ struct Surface {
     float ambient, diffuse, specular, shininess;
     int blinn_phong;
     int two_sided;
-    float soft_from, soft_to;  // gradient magnitude in data ranges per smallest voxel edge
+    float soft_from;           // gradient magnitude in data ranges per smallest voxel edge
+    float soft_inverse_width;
 };
 uniform Surface surface[VOLUMES];
 
@@ -25,42 +26,47 @@ struct Reflected {
     vec3 highlight;
 };
 
-// Adds one light. Phong's mirrored light and Blinn's half vector both come from three cosines, without a branch.
+// Adds one light. Phong's mirrored light and Blinn's half vector both come from three cosines. No branches: lanes that
+// run side by side would take both sides anyway.
 void reflect_light(Surface s, vec3 toward_light, vec3 irradiance, vec3 normal, vec3 toward_eye, float facing_eye,
                    inout Reflected reflected)
 {
     float cosine = dot(normal, toward_light);
     float between = dot(toward_light, toward_eye);
     reflected.diffuse += irradiance * (s.diffuse * (s.two_sided != 0 ? abs(cosine) : max(cosine, 0.0)));
+#ifdef HIGHLIGHTS
     float aligned = s.blinn_phong != 0 ? (cosine + facing_eye) * inversesqrt(max(2.0 + 2.0 * between, 1e-12))
                                        : 2.0 * cosine * facing_eye - between;
     // 0 to a power is left to no driver: the logarithm's argument is kept positive, and the factor decides.
-    float shine = cosine > 0.0 && aligned > 0.0 ? exp2(s.shininess * log2(max(aligned, 1e-20))) : 0.0;
-    reflected.highlight += irradiance * (s.specular * shine);
+    float shine = exp2(s.shininess * log2(max(aligned, 1e-20)));
+    reflected.highlight += irradiance * (min(cosine, aligned) > 0.0 ? s.specular * shine : 0.0);
+#endif
 }
 
-// Light reflected towards the eye by colour `color` (the unlit source) at parameter t.
-vec3 lit_source(int m, vec3 color, float t)
+// Light reflected towards the eye by matter at parameter t that covers `weight` of the pixel, with `color` its unlit
+// source radiance times that weight.
+vec3 lit_source(int m, vec3 color, float weight, float t)
 {
     Surface s = surface[m];
+#if VOLUMES > 1
     if (s.soft_from >= 1e30) {
         return color;  // an unlit volume beside lit ones
     }
+#endif
     vec3 x = ray_volumes[m].origin + t * ray_volumes[m].direction;
     vec3 texel = textureLod(gradients[m], x, 0.0).xyz - gradient_zero[m];
     vec3 gradient = world_from_gradient[m] * texel;
-    float magnitude = length(gradient);
-    float weight = s.soft_to > s.soft_from ? smoothstep(s.soft_from, s.soft_to, magnitude)
-                                           : (magnitude >= s.soft_from ? 1.0 : 0.0);
-    if (!(magnitude > 0.0) || weight == 0.0) {
-        return color;
-    }
-    vec3 normal = -gradient / magnitude;
+    float squared_magnitude = dot(gradient, gradient);
+    float inverse = inversesqrt(max(squared_magnitude, 1e-30));
+    float magnitude = squared_magnitude * inverse;
+    // A hard edge where both ends of the soft range are one; no gradient at all is never shaded.
+    float rise = clamp((magnitude - s.soft_from) * s.soft_inverse_width, 0.0, 1.0);
+    float shaded = squared_magnitude > 1e-30 ? rise * rise * (3.0 - 2.0 * rise) : 0.0;
     vec3 toward_eye = -ray_direction_world;
-    if (s.two_sided != 0 && dot(normal, toward_eye) < 0.0) {
-        normal = -normal;
-    }
-    float facing_eye = dot(normal, toward_eye);
+    float facing_eye = -inverse * dot(gradient, toward_eye);
+    float turn = s.two_sided != 0 && facing_eye < 0.0 ? inverse : -inverse;
+    facing_eye = turn < 0.0 ? facing_eye : -facing_eye;
+    vec3 normal = gradient * turn;
     Reflected reflected = Reflected(vec3(s.ambient), vec3(0.0));
     for (int n = 0; n < DIRECTIONAL_LIGHTS; ++n) {
         reflect_light(s, lights[n].toward, lights[n].irradiance, normal, toward_eye, facing_eye, reflected);
@@ -71,5 +77,5 @@ vec3 lit_source(int m, vec3 color, float t)
         reflect_light(s, way * inversesqrt(squared), lights[n].irradiance / squared, normal, toward_eye, facing_eye,
                       reflected);
     }
-    return mix(color, color * reflected.diffuse + reflected.highlight, weight);
+    return mix(color, color * reflected.diffuse + weight * reflected.highlight, shaded);
 }

@@ -13,11 +13,13 @@
 //       optical depth (>= 0, finite) and mean source radiance (finite) between two nodes; false when it is empty,
 //       judged on looked-up values and not on a computed opacity. With SAMPLE_AT_MIDPOINTS both samples are the one
 //       taken in the middle of the segment.
+//   vec3 medium_lit(float weight)            with LIT, in place of `source`: light from the segment just judged, which
+//                                            covers `weight` of the pixel
 //   bool medium_empty(float t, out float until)
 //       whether only emptiness is looked up on all of [t, until]; where false, it is not worth asking again before
 //       `until` (>= t either way). Called only with LEAP.
 //
-// Switches: SAMPLE_AT_MIDPOINTS (else at nodes), LEAP, STOP_EARLY, COUNT.
+// Switches: SAMPLE_AT_MIDPOINTS (else at nodes), LIT, LEAP, STOP_EARLY, COUNT.
 // Leaping changes no bit of the result: it skips only segments for which medium_segment would return false.
 
 struct March {
@@ -39,16 +41,15 @@ float node_t(March m, int n)
     return n <= 0 ? m.t_in : min(t, m.t_out);
 }
 
-// Adds one segment; returns whether the ray has ended.
-bool march_add(March m, float tau, vec3 source, inout Marched result)
+void march_add(float tau, vec3 source, inout Marched result)
 {
     float opacity = opacity_of(tau);
-    result.radiance += (result.transmittance * opacity) * source;
+    float weight = result.transmittance * opacity;
     result.transmittance *= 1.0 - opacity;
-#ifdef STOP_EARLY
-    return result.transmittance < m.stop_transmittance;
+#ifdef LIT
+    result.radiance += medium_lit(weight);
 #else
-    return false;
+    result.radiance += weight * source;
 #endif
 }
 
@@ -63,62 +64,61 @@ Marched march(March m)
     Marched result = Marched(vec3(0.0), 1.0, 0u, 0u);
     int last = 1 + int(ceil(max(0.0, m.t_out - m.t_in - m.first_length)));
     float ask_at = m.t_in;  // no leap is possible before
-#ifdef SAMPLE_AT_MIDPOINTS
-    for (int n = 0; n < last;) {
-        float t_front = node_t(m, n);
-        float t_back = node_t(m, n + 1);
-        float t = 0.5 * (t_front + t_back);
-#ifdef LEAP
-        if (t >= ask_at) {
-            MARCH_COUNT(queries);
-            if (medium_empty(t, ask_at)) {
-                // Segments n .. n + floor(until - t) have their midpoints in there.
-                n += 1 + int(ask_at - t);
-                continue;
-            }
-        }
-#endif
-        Sample here = medium_sample(t);
-        MARCH_COUNT(samples);
-        float tau;
-        vec3 source;
-        if (medium_segment(here, here, t_front, t_back, tau, source) && march_add(m, tau, source, result)) {
-            break;
-        }
-        ++n;
-    }
-#else
-    // One sample a turn, at node n when the front is missing and else at node n + 1: lanes that run side by side stay
-    // in step.
+#ifndef SAMPLE_AT_MIDPOINTS
     bool has_front = false;
     Sample front = medium_nothing();
-    for (int n = 0; n < last;) {
+#endif
+    float tau;
+    vec3 source;
+    for (int n = 0; n < last; ++n) {
         float t_front = node_t(m, n);
 #ifdef LEAP
-        if (t_front >= ask_at) {
+#ifdef SAMPLE_AT_MIDPOINTS
+        // Segments whose midpoints lie in emptiness are empty.
+        float t_ask = 0.5 * (t_front + node_t(m, n + 1));
+        const float ends = 1.0;
+#else
+        // Segments with both ends in emptiness are empty; a front from before would be stale.
+        float t_ask = t_front;
+        const float ends = 0.0;
+#endif
+        if (t_ask >= ask_at) {
             MARCH_COUNT(queries);
-            if (medium_empty(t_front, ask_at) && ask_at - t_front >= 1.0) {
-                // Segments with both ends in there are empty; a front from before would be stale.
-                n += int(ask_at - t_front);
+            if (medium_empty(t_ask, ask_at) && ask_at - t_ask + ends >= 1.0) {
+                n += int(ask_at - t_ask + ends) - 1;
+#ifndef SAMPLE_AT_MIDPOINTS
                 has_front = false;
+#endif
                 continue;
             }
         }
 #endif
-        float t_back = node_t(m, n + 1);
-        Sample back = medium_sample(has_front ? t_back : t_front);
-        MARCH_COUNT(samples);
-        if (has_front) {
-            float tau;
-            vec3 source;
-            if (medium_segment(front, back, t_front, t_back, tau, source) && march_add(m, tau, source, result)) {
-                break;
-            }
-            ++n;
+#ifndef SAMPLE_AT_MIDPOINTS
+        if (!has_front) {
+            front = medium_sample(t_front);
+            has_front = true;
+            MARCH_COUNT(samples);
         }
-        front = back;
-        has_front = true;
-    }
 #endif
+        float t_back = node_t(m, n + 1);
+#ifdef SAMPLE_AT_MIDPOINTS
+        Sample back = medium_sample(0.5 * (t_front + t_back));
+        Sample front = back;
+#else
+        Sample back = medium_sample(t_back);
+#endif
+        MARCH_COUNT(samples);
+        if (medium_segment(front, back, t_front, t_back, tau, source)) {
+            march_add(tau, source, result);
+        }
+#ifndef SAMPLE_AT_MIDPOINTS
+        front = back;
+#endif
+#ifdef STOP_EARLY
+        if (result.transmittance < m.stop_transmittance) {
+            break;
+        }
+#endif
+    }
     return result;
 }

@@ -16,24 +16,42 @@ struct Volume {
     vec3 low, high;       // what is shown, texture space
 };
 uniform vec2 u_from_voxel[VOLUMES];        // u = x * texel + y
-uniform vec2 u_visible[VOLUMES];           // no extinction outside of these two
+uniform vec2 optics_from_voxel[VOLUMES];   // coordinate in optics_table = x * texel + y
+uniform vec2 optics_visible[VOLUMES];      // no extinction outside of these two coordinates
 uniform float tau_scale[VOLUMES];          // optical depth per step and per unit of sigma in the tables
 uniform vec3 cells_from_texture[VOLUMES];  // macrocells along each axis, fractional
+uniform vec3 cells_inverse[VOLUMES];       // 1 / whole macrocells along each axis
 uniform mat3 world_from_gradient[VOLUMES]; // from gradient texels to world, scaled to data ranges per smallest voxel edge
 uniform vec3 gradient_zero[VOLUMES];       // texel that means no gradient
 
 Volume ray_volumes[VOLUMES];
+// The same ray in macrocells. Divisions are made once per ray: they are dear on a software renderer.
+vec3 ray_cells_origin[VOLUMES];
+vec3 ray_cells_step[VOLUMES];
+vec3 ray_steps_per_cell[VOLUMES];  // 1 / step, huge where the ray does not move
 float ray_enter[VOLUMES];
 float ray_leave[VOLUMES];
 
 const float depth_entries = 1021.0;
 const float source_entries = 256.0;
 
-float table_coordinate(float u, float entries) { return (clamp(u, 0.0, 1.0) * (entries - 1.0) + 0.5) / entries; }
+// Where u stands in a table; beyond the ends the texture is clamped to its border entries.
+float table_coordinate(float u, const float entries) { return u * ((entries - 1.0) / entries) + 0.5 / entries; }
+
+void begin_ray(int m, Volume volume)
+{
+    ray_volumes[m] = volume;
+    ray_cells_origin[m] = volume.origin * cells_from_texture[m];
+    ray_cells_step[m] = volume.direction * cells_from_texture[m];
+    bvec3 still = lessThan(abs(ray_cells_step[m]), vec3(1e-20));
+    ray_steps_per_cell[m] = mix(1.0 / mix(ray_cells_step[m], vec3(1.0), still), vec3(1e20), still);
+}
 
 struct Sample {
+#ifdef SAMPLE_AT_MIDPOINTS
+    float at[VOLUMES];    // coordinate in the optics table
+#else
     float u[VOLUMES];     // unclamped: 0 and 1 are the ends of the window
-#ifndef SAMPLE_AT_MIDPOINTS
     vec2 depth[VOLUMES];  // K and sigma at u
 #endif
 };
@@ -42,8 +60,10 @@ Sample medium_nothing()
 {
     Sample s;
     for (int m = 0; m < VOLUMES; ++m) {
+#ifdef SAMPLE_AT_MIDPOINTS
+        s.at[m] = 0.0;
+#else
         s.u[m] = 0.0;
-#ifndef SAMPLE_AT_MIDPOINTS
         s.depth[m] = vec2(0.0);
 #endif
     }
@@ -56,9 +76,11 @@ Sample medium_sample(float t)
     for (int m = 0; m < VOLUMES; ++m) {
         vec3 x = ray_volumes[m].origin + t * ray_volumes[m].direction;
         float texel = textureLod(voxels[m], x, 0.0).x;
+#ifdef SAMPLE_AT_MIDPOINTS
+        s.at[m] = texel * optics_from_voxel[m].x + optics_from_voxel[m].y;
+#else
         float u = texel * u_from_voxel[m].x + u_from_voxel[m].y;
         s.u[m] = u;
-#ifndef SAMPLE_AT_MIDPOINTS
         // Beyond the window sigma is constant, so K goes on in a straight line.
         float inside = clamp(u, 0.0, 1.0);
         vec2 depth = textureLod(depth_table[m], table_coordinate(inside, depth_entries), 0.0).xy;
@@ -70,6 +92,27 @@ Sample medium_sample(float t)
 
 #ifdef LIT
 #include "include/gradient_shading.glsl"
+
+// The segment judged last, per volume.
+float segment_tau[VOLUMES];
+vec3 segment_source[VOLUMES];
+float segment_t[VOLUMES];
+float segment_inverse_tau = 0.0;
+#ifdef GLOW
+vec3 segment_glow[VOLUMES];
+#endif
+
+void medium_begin()
+{
+    for (int m = 0; m < VOLUMES; ++m) {
+        segment_tau[m] = 0.0;
+        segment_source[m] = vec3(0.0);
+        segment_t[m] = 0.0;
+#ifdef GLOW
+        segment_glow[m] = vec3(0.0);
+#endif
+    }
+}
 #endif
 
 bool medium_segment(Sample front, Sample back, float t_front, float t_back, out float tau, out vec3 source)
@@ -77,6 +120,9 @@ bool medium_segment(Sample front, Sample back, float t_front, float t_back, out 
     tau = 0.0;
     source = vec3(0.0);
     for (int m = 0; m < VOLUMES; ++m) {
+#ifdef LIT
+        segment_tau[m] = 0.0;
+#endif
 #if VOLUMES > 1
         // Each volume has its own stretch of the common ray.
         float part_front = max(t_front, ray_enter[m]);
@@ -92,15 +138,16 @@ bool medium_segment(Sample front, Sample back, float t_front, float t_back, out 
         float part_tau;
         vec3 part_source;
 #ifdef SAMPLE_AT_MIDPOINTS
-        if (front.u[m] < u_visible[m].x || front.u[m] > u_visible[m].y) {
+        // A comparison is cheaper than a look at the table, and most of what is not leapt over is empty still.
+        if (front.at[m] < optics_visible[m].x || front.at[m] > optics_visible[m].y) {
             continue;
         }
-        vec4 optics = textureLod(optics_table[m], table_coordinate(front.u[m], depth_entries), 0.0);
+        vec4 optics = textureLod(optics_table[m], front.at[m], 0.0);
         if (!(optics.x > 0.0)) {
             continue;
         }
         part_tau = optics.x * part * tau_scale[m];
-        part_source = optics.yzw / optics.x;
+        part_source = optics.yzw * (1.0 / optics.x);
 #else
         // Mean of sigma over the values in between: exactly from K, or by the trapezoid where the difference of two
         // prefixes would lose its digits.
@@ -115,22 +162,55 @@ bool medium_segment(Sample front, Sample back, float t_front, float t_back, out 
                                                        table_coordinate(back.u[m], source_entries)), 0.0).xyz;
 #endif
 #ifdef LIT
-        part_source = lit_source(m, part_source, 0.5 * (part_front + part_back));
-#endif
+        segment_tau[m] = part_tau;
+        segment_source[m] = part_source;
+        segment_t[m] = 0.5 * (part_front + part_back);
 #ifdef GLOW
         // Light of its own is not lit, so it has a table apart.
-        part_source += textureLod(glow_table[m], vec2(table_coordinate(front.u[m], source_entries),
-                                                      table_coordinate(back.u[m], source_entries)), 0.0).xyz;
+#ifdef SAMPLE_AT_MIDPOINTS
+        vec2 ends = vec2((front.at[m] * depth_entries - 0.5) / (depth_entries - 1.0));
+#else
+        vec2 ends = vec2(front.u[m], back.u[m]);
+#endif
+        segment_glow[m] = textureLod(glow_table[m], vec2(table_coordinate(ends.x, source_entries),
+                                                         table_coordinate(ends.y, source_entries)), 0.0).xyz;
+#endif
+#elif VOLUMES > 1
+        source += part_tau * part_source;
+#else
+        source = part_source;
 #endif
         tau += part_tau;
-        source += part_tau * part_source;
     }
     if (!(tau > 0.0)) {
         return false;
     }
+#if defined(LIT)
+    segment_inverse_tau = 1.0 / tau;
+#elif VOLUMES > 1
     source /= tau;
+#endif
     return true;
 }
+
+#ifdef LIT
+vec3 medium_lit(float weight)
+{
+    vec3 light = vec3(0.0);
+    for (int m = 0; m < VOLUMES; ++m) {
+#if VOLUMES > 1
+        float share = weight * segment_tau[m] * segment_inverse_tau;
+#else
+        float share = weight;
+#endif
+        light += lit_source(m, share * segment_source[m], share, segment_t[m]);
+#ifdef GLOW
+        light += share * segment_glow[m];
+#endif
+    }
+    return light;
+}
+#endif
 
 bool medium_empty(float t, out float until)
 {
@@ -146,17 +226,15 @@ bool medium_empty(float t, out float until)
             continue;
         }
 #endif
-        vec3 x = (ray_volumes[m].origin + t * ray_volumes[m].direction) * cells_from_texture[m];
-        vec3 per_step = ray_volumes[m].direction * cells_from_texture[m];
-        ivec3 cell = clamp(ivec3(x), ivec3(0), textureSize(emptiness[m], 0) - 1);
-        float reach = float(texelFetch(emptiness[m], cell, 0).x);
+        vec3 x = ray_cells_origin[m] + t * ray_cells_step[m];
+        vec3 cell = floor(x);
+        float reach = float(textureLod(emptiness[m], (cell + 0.5) * cells_inverse[m], 0.0).x);
         empty = empty && reach > 0.0;
         // Every cell nearer than `reach` is empty: leave the cube of cells around this one. An occupied cell is left
         // as soon as the ray leaves it.
         reach = max(reach, 1.0);
-        vec3 border = vec3(cell) + mix(vec3(1.0 - reach), vec3(reach), greaterThanEqual(per_step, vec3(0.0)));
-        bvec3 still = lessThan(abs(per_step), vec3(1e-20));
-        vec3 distances = mix((border - x) / mix(per_step, vec3(1.0), still), vec3(1e6), still);
+        vec3 border = cell + mix(vec3(1.0 - reach), vec3(reach), greaterThan(ray_steps_per_cell[m], vec3(0.0)));
+        vec3 distances = (border - x) * ray_steps_per_cell[m];
         until = min(until, t + max(0.0, min(distances.x, min(distances.y, distances.z))));
     }
     return empty;

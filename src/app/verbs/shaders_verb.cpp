@@ -33,6 +33,7 @@ std::vector<gl::Defines> variants_of(const std::string& file) {
         if (bits & 32) {
             defines["LIT"] = "";
             defines["GLOW"] = "";
+            defines["HIGHLIGHTS"] = "";
             defines["DIRECTIONAL_LIGHTS"] = "1";
             defines["POINT_LIGHTS"] = "1";
         }

@@ -70,7 +70,8 @@ void set_surface(gl::Program& program, int index, const scene::VolumeOptics& opt
     // Unlit among lit ones: no gradient is ever steep enough.
     const bool lit = optics.lighting != scene::VolumeLighting::none;
     program.set_at("surface", index, ".soft_from", lit ? float(optics.gradient_soft_from) : 1e30F);
-    program.set_at("surface", index, ".soft_to", lit ? float(optics.gradient_soft_to) : 1e30F);
+    const double width = optics.gradient_soft_to - optics.gradient_soft_from;
+    program.set_at("surface", index, ".soft_inverse_width", float(width > 1e-20 ? 1.0 / width : 1e20));
 }
 
 }  // namespace
@@ -135,6 +136,9 @@ gl::Program& MarchPass::program(const PassAccess& access, const Parameters& para
         defines["POINT_LIGHTS"] = std::to_string(points);
         defines["DIRECTIONAL_LIGHTS"] = std::to_string(std::ptrdiff_t(parameters.lights.size()) - points);
         for (const VolumeInput& input : parameters.volumes) {
+            if (input.optics.specular > 0.0) {
+                defines["HIGHLIGHTS"] = "";
+            }
             if (access.read(input.tables).tables.glows) {
                 defines["GLOW"] = "";
             }
@@ -168,9 +172,18 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
     const VolumeTexture& voxels = access.read(input.voxels);
     const TableTextures& tables = access.read(input.tables);
     bind("voxels", voxels.texture);
+    const double width = input.window[1] - input.window[0];
+    const glm::dvec2 u_from_voxel((voxels.value_of_one - voxels.value_of_zero) / width,
+                                  (voxels.value_of_zero - input.window[0]) / width);
     if (parameters.settings.classification == scene::Classification::post) {
         bind("optics_table", tables.optics);
-        program.set_at("u_visible", index, "", glm::vec2(tables.tables.lowest_visible, tables.tables.highest_visible));
+        // u to the coordinate of the table, both ways of it affine.
+        const double scale = double(depth_entries - 1) / depth_entries;
+        const double shift = 0.5 / depth_entries;
+        program.set_at("optics_from_voxel", index, "", glm::vec2(u_from_voxel.x * scale, u_from_voxel.y * scale + shift));
+        program.set_at("optics_visible", index, "",
+                       glm::vec2(tables.tables.lowest_visible * scale + shift,
+                                 tables.tables.highest_visible * scale + shift));
     } else {
         bind("depth_table", tables.depth);
         bind("source_table", tables.source);
@@ -178,10 +191,7 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
     if (parameters.lit) {
         bind("glow_table", tables.glow);
     }
-    const double width = input.window[1] - input.window[0];
-    program.set_at("u_from_voxel", index, "",
-                   glm::vec2((voxels.value_of_one - voxels.value_of_zero) / width,
-                             (voxels.value_of_zero - input.window[0]) / width));
+    program.set_at("u_from_voxel", index, "", glm::vec2(u_from_voxel));
     program.set_at("tau_scale", index, "", float(input.tau_per_sigma_metre * parameters.step_world));
 
     const glm::dmat4 texture_from_world = glm::inverse(input.world_from_texture);
@@ -201,6 +211,7 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
         const EmptinessTexture& emptiness = access.read(input.emptiness);
         bind("emptiness", emptiness.distance);
         program.set_at("cells_from_texture", index, "", glm::vec3(emptiness.voxels) / float(emptiness.edge));
+        program.set_at("cells_inverse", index, "", 1.0F / glm::vec3(emptiness.distance.size()));
     }
     if (parameters.lit) {
         set_surface(program, index, input.optics);
