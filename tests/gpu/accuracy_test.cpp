@@ -70,9 +70,9 @@ class Accuracy : public Drawing {
     }
 };
 
-constexpr std::array bucky_tolerances{0.014, 0.0116, 0.005};
-constexpr std::array marschner_lobb_tolerances{0.031, 0.0131, 0.01};
-constexpr std::array bonsai_tolerances{0.0092, 0.0107, 0.005};
+constexpr std::array bucky_tolerances{0.014, 0.0116, 0.003};
+constexpr std::array marschner_lobb_tolerances{0.031, 0.0131, 0.0087};
+constexpr std::array bonsai_tolerances{0.0092, 0.0107, 0.0011};
 
 TEST_F(Accuracy, Bucky) {
     expect_accurate("bucky", scene::builtin_volume("bucky"), bucky_tolerances, 256);
