@@ -212,17 +212,25 @@ vec3 medium_lit(float weight)
 }
 #endif
 
+// How far from its sample a segment reaches, with a quarter of a step for rounding.
+#ifdef SAMPLE_AT_MIDPOINTS
+const float segment_reach = 0.75;
+#else
+const float segment_reach = 0.25;
+#endif
+
 bool medium_empty(float t, out float until)
 {
     until = t + 1e6;  // keeps the integer arithmetic of the leap in range
     bool empty = true;
     for (int m = 0; m < VOLUMES; ++m) {
 #if VOLUMES > 1
-        if (t > ray_leave[m]) {
+        // A segment that only touches the stretch of this volume counts too, though its midpoint lies outside.
+        if (t > ray_leave[m] + segment_reach) {
             continue;
         }
-        if (t < ray_enter[m]) {
-            until = min(until, ray_enter[m]);
+        if (t < ray_enter[m] - segment_reach) {
+            until = min(until, ray_enter[m] - segment_reach);
             continue;
         }
 #endif
