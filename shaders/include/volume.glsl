@@ -138,11 +138,12 @@ bool medium_empty(float t, out float until)
     bool empty = true;
     for (int m = 0; m < VOLUMES; ++m) {
 #if VOLUMES > 1
-        if (t > ray_leave[m]) {
+        // A segment whose middle lies outside of a volume may still reach into it, by half a step at most.
+        if (t > ray_leave[m] + 1.0) {
             continue;
         }
-        if (t < ray_enter[m]) {
-            until = min(until, ray_enter[m]);
+        if (t < ray_enter[m] - 1.0) {
+            until = min(until, ray_enter[m] - 1.0);
             continue;
         }
 #endif

@@ -204,7 +204,7 @@ std::string svg_of(const LogLogPlot& plot) {
 }
 
 std::string svg_of(const BarPlot& plot) {
-    constexpr double row = 26.0, names = 190.0, numbers = 96.0;
+    constexpr double row = 26.0, names = 205.0, numbers = 104.0;
     double most = 0.0;
     for (const Bar& bar : plot.bars) {
         most = std::max(most, bar.value);
@@ -224,7 +224,7 @@ std::string svg_of(const BarPlot& plot) {
         at += row;
     }
     text += fmt::format("<path class=\"b\" d=\"M{} 4V{:.1f}\"/>", names, at + 2.0);
-    text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", 0.5 * (names + width),
+    text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", 0.5 * (names + width - numbers),
                         at + 22.0, html_text(plot.x_label));
     return text + "</svg>\n";
 }

@@ -179,13 +179,26 @@ scene::Scene random_scene(std::uint64_t seed) {
     return scene;
 }
 
+/// What to look for first when a scene fails.
+std::string words_of(const scene::Scene& scene) {
+    const scene::RenderSettings& settings = *scene.rendering;
+    const scene::Bounds bounds = scene::world_bounds(scene);
+    const scene::Camera& camera = **scene.camera;
+    const double away =
+        glm::length(camera.eye_world - 0.5 * (bounds.low + bounds.high)) / glm::length(bounds.high - bounds.low);
+    return fmt::format("{} volume(s), {}, step {:.2g}, stop {:.1g}, {}, {:.2g} extents away", scene.nodes.size(),
+                       scene::enum_words<scene::Classification>()[std::size_t(settings.classification)], settings.step,
+                       settings.early_termination ? settings.stop_transmittance : 0.0,
+                       scene::enum_words<scene::Projection>()[std::size_t(camera.projection)], away);
+}
+
 }  // namespace
 
 void stress_random(StressRig& rig, int count) {
     rig.group("random");
     for (int n = 0; n < count; ++n) {
-        rig.picture(fmt::format("scene-{}", n), "all parameters over their whole range",
-                    random_scene(std::uint64_t(n) + 1));
+        const scene::Scene scene = random_scene(std::uint64_t(n) + 1);
+        rig.picture(fmt::format("scene-{}", n), words_of(scene), scene);
     }
 }
 
