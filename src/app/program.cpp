@@ -94,6 +94,10 @@ int run(const std::vector<std::string>& arguments, const Viewer& viewer) {
         [&](CLI::App& verb) { return declare_render(verb, arguments); });
     add("reference", "the same picture in double precision, with its stated error", declare_reference);
     add("compare", "how far a picture is from another", declare_compare);
+    add("bench", "run time against error: numbers and a page with plots",
+        [&](CLI::App& verb) { return declare_bench(verb, arguments); });
+    add("stress", "numerical stability: the whole matrix of nasty inputs, one line each",
+        [&](CLI::App& verb) { return declare_stress(verb, arguments); });
     add("info", "what a file holds, or what it may hold", declare_info);
     add("parameters", "every parameter of a scene, its path, meaning and range", declare_describe_parameters);
     add("shaders", "the shaders as the driver gets them", declare_shaders);

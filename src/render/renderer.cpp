@@ -10,16 +10,20 @@ Renderer::Renderer(gl::ShaderLibrary& shaders) : shaders_(shaders), march_(graph
 }
 
 double Renderer::step_world(const scene::Scene& scene) {
-    double smallest = 1e300;
+    double smallest = 1e300, longest = 0.0;
     for (const std::string& name : scene::shown_volumes(scene)) {
         const auto& volume = std::get<scene::Volume>(scene.nodes.at(name).content);
         const glm::dmat4 world_from_texture = scene::world_from_texture(scene, name);
         for (int k = 0; k < 3; ++k) {
             smallest = std::min(smallest,
                                 glm::length(glm::dvec3(world_from_texture[k])) / (*volume.grid)->size[k]);
+            longest = std::max(longest, glm::length(glm::dvec3(world_from_texture[k])));
         }
     }
-    return smallest < 1e300 ? smallest * scene.rendering->step : 1.0;
+    // A speck beside something large must not make a ray's steps so many that the machine stands still, or that floats
+    // no longer count them.
+    constexpr double most_steps = 1 << 18;
+    return smallest < 1e300 ? std::max(smallest * scene.rendering->step, longest / most_steps) : 1.0;
 }
 
 void Renderer::update(const scene::Scene& scene, const View& view) {

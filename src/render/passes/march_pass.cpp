@@ -46,6 +46,32 @@ void set_lights(gl::Program& program, const std::vector<scene::Light>& lights, c
     }
 }
 
+/// Parallel rays may start anywhere along the view: from a camera far off they start at the volumes instead, where
+/// floats still tell voxels apart. Cameras near by are left as they are.
+scene::Camera started_near(const scene::Camera& camera, const std::vector<glm::dmat4>& world_from_texture) {
+    if (camera.projection != scene::Projection::orthographic) {
+        return camera;
+    }
+    glm::dvec3 low(1e300), high(-1e300);
+    for (const glm::dmat4& m : world_from_texture) {
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::dvec3 p = m * glm::dvec4(corner & 1, (corner >> 1) & 1, (corner >> 2) & 1, 1.0);
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
+    }
+    const glm::dvec3 back = scene::camera_frame(camera).back_world;
+    const double distance = glm::dot(camera.eye_world - 0.5 * (low + high), back);
+    if (distance < 16.0 * glm::length(high - low)) {
+        return camera;
+    }
+    scene::Camera nearer = camera;
+    nearer.eye_world -= distance * back;
+    nearer.target_world = nearer.eye_world - back;
+    nearer.near_distance -= distance;
+    return nearer;
+}
+
 /// The lights that shine, directional ones first. Black ones cost nothing.
 std::vector<scene::Light> order_lights(const scene::Scene& scene) {
     std::vector<scene::Light> lights;
@@ -173,8 +199,10 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
     const TableTextures& tables = access.read(input.tables);
     bind("voxels", voxels.texture);
     const double width = input.window[1] - input.window[0];
-    const glm::dvec2 u_from_voxel((voxels.value_of_one - voxels.value_of_zero) / width,
-                                  (voxels.value_of_zero - input.window[0]) / width);
+    glm::dvec2 u_from_voxel = glm::dvec2(voxels.value_of_one - voxels.value_of_zero,
+                                         voxels.value_of_zero - input.window[0]) / width;
+    // A window that is tiny beside the data is a step: it stays one, at its place, where floats end.
+    u_from_voxel *= std::min(1.0, 1e30 / std::max(1e-300, std::max(std::abs(u_from_voxel.x), std::abs(u_from_voxel.y))));
     if (parameters.settings.classification == scene::Classification::post) {
         bind("optics_table", tables.optics);
         // u to the coordinate of the table, both ways of it affine.
@@ -249,7 +277,11 @@ void MarchPass::draw(const PassAccess& access, const Parameters& parameters, boo
         access.write(picture).framebuffer.bind();
     }
     gl::Program& shader = program(access, parameters, counting);
-    const scene::Camera& camera = access.read(camera_);
+    std::vector<glm::dmat4> boxes;
+    for (const VolumeInput& input : parameters.volumes) {
+        boxes.push_back(input.world_from_texture);
+    }
+    const scene::Camera camera = started_near(access.read(camera_), boxes);
     const scene::Background& background = access.read(background_);
     const double h = parameters.step_world;
     shader.set("pixels", glm::vec2(pixels));

@@ -1,0 +1,134 @@
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "app/scene_arguments.h"
+#include "app/sibling.h"
+#include "app/verbs/verbs.h"
+#include "base/error.h"
+#include "io/atomic_file.h"
+#include "io/picture_file.h"
+#include "measure/bench_findings.h"
+#include "measure/bench_frames.h"
+#include "measure/bench_report.h"
+
+namespace bruma::app {
+namespace {
+
+struct BenchArguments {
+    SceneArguments scene;
+    std::string output;
+    std::string context = "auto";
+    std::string picture;
+    int repeats = 3;
+    int frames = 9;
+    int warmup = 2;
+    double azimuth_step_deg = 3.0;
+    bool quick = false;
+};
+
+/// Each file is a scene of its own here, not a part of one.
+scene::Scene open_one(const BenchArguments& arguments, const std::string& file) {
+    SceneArguments one = arguments.scene;
+    one.files = {file};
+    return open_scene(one);
+}
+
+std::string scene_name(const std::string& file) {
+    return file.starts_with("builtin:") ? file.substr(8) : std::filesystem::path(file).stem().string();
+}
+
+int bench_volume(const BenchArguments& arguments, const std::vector<std::string>& command_line) {
+    const glm::ivec2 pixels = arguments.scene.pixels();
+    const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
+    std::vector<measure::BenchScene> scenes = measure::default_bench_scenes(double(pixels.x) / pixels.y);
+    for (const std::string& file : arguments.scene.files) {
+        scenes.push_back({scene_name(file), open_one(arguments, file)});
+    }
+    measure::VolumeBenchOptions options;
+    options.pixels = pixels;
+    options.repeats = arguments.repeats;
+    options.quick = arguments.quick;
+    options.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+    const measure::VolumeBench bench = measure::run_volume_bench(scenes, options);
+    measure::write_volume_bench(bench, arguments.output);
+    for (const measure::VolumeBenchScene& scene : bench.scenes) {
+        fmt::print("{}: {}\n", scene.name, measure::finding_time(scene));
+        fmt::print("{}: {}\n", scene.name, measure::finding_order(scene));
+        fmt::print("{}: {}\n", scene.name, measure::finding_savings(scene));
+    }
+    fmt::print("times are numbers of this machine; written: {}\n",
+               (std::filesystem::path(arguments.output) / "volume.html").string());
+    return int(ExitCode::done);
+}
+
+int bench_frames(const BenchArguments& arguments, const std::vector<std::string>& command_line) {
+    if (!arguments.picture.empty() && arguments.scene.files.size() != 1) {
+        throw InputError(fmt::format("--picture-frame0 {}: one picture, but {} scenes; give one scene at a time",
+                                     arguments.picture, arguments.scene.files.size()));
+    }
+    if (!arguments.picture.empty() && io::picture_format(arguments.picture) != io::PictureFormat::exr) {
+        throw InputError(
+            fmt::format("--picture-frame0 {}: only .exr keeps linear floats; choose that ending", arguments.picture));
+    }
+    const glm::ivec2 pixels = arguments.scene.pixels();
+    const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
+    const measure::FramesBenchOptions options{pixels, arguments.azimuth_step_deg, arguments.frames, arguments.warmup};
+    nlohmann::json results = nlohmann::json::array();
+    for (const std::string& file : arguments.scene.files) {
+        const measure::FramesBench bench =
+            measure::run_frames_bench(scene_name(file), open_one(arguments, file), options);
+        results.push_back(measure::to_json(bench));
+        fmt::print("{}\n", results.back().dump());
+        if (!arguments.picture.empty()) {
+            io::write_exr(arguments.picture, bench.first_frame);
+        }
+    }
+    const nlohmann::json document = {{"bench", "frames"},
+                                     {"machine", measure::to_json(measure::describe_machine())},
+                                     {"parameters",
+                                      {{"pixels", {pixels.x, pixels.y}},
+                                       {"azimuth_step_deg", options.azimuth_step_deg},
+                                       {"repeats", options.repeats},
+                                       {"warmup", options.warmup}}},
+                                     {"scenes", results}};
+    std::error_code error;
+    std::filesystem::create_directories(arguments.output, error);
+    io::write_file_atomically(std::filesystem::path(arguments.output) / "frames.json", document.dump(1) + "\n");
+    return int(ExitCode::done);
+}
+
+}  // namespace
+
+Verb declare_bench(CLI::App& app, const std::vector<std::string>& command_line) {
+    auto arguments = std::make_shared<BenchArguments>();
+    const auto suite = [&](const char* name, const char* sentence) {
+        CLI::App* verb = app.add_subcommand(name, sentence);
+        arguments->scene.size = "512x512";
+        arguments->scene.declare(*verb, true);
+        verb->add_option("-o,--output", arguments->output, "folder for the results; made if it is not there")
+            ->required();
+        verb->add_option("--context", arguments->context, "auto, egl or osmesa");
+        verb->fallthrough();  // --verbose and --shaders stand on the verb itself
+        return verb;
+    };
+    CLI::App* volume =
+        suite("volume", "volumes: run time against error, with plots; FILEs are added to the usual scenes");
+    volume->add_option("--repeats", arguments->repeats, "rounds of timed frames")->check(CLI::Range(1, 1000));
+    volume->add_flag("--quick", arguments->quick, "fewer steps and settings");
+    CLI::App* frames = suite("frames", "frames along an orbit around each scene, as other programs measure theirs");
+    frames->add_option("--repeats", arguments->frames, "frames that count")->check(CLI::Range(1, 100000));
+    frames->add_option("--warmup", arguments->warmup, "frames before them")->check(CLI::Range(0, 1000));
+    frames->add_option("--azimuth-step", arguments->azimuth_step_deg, "degrees from one frame to the next, about +y")
+        ->check(CLI::Range(-360.0, 360.0));
+    frames->add_option("--picture-frame0", arguments->picture, ".exr: the first frame, linear");
+    frames->get_option("files")->required();
+    app.require_subcommand(1);
+    return [arguments, command_line, frames] {
+        return frames->parsed() ? bench_frames(*arguments, command_line) : bench_volume(*arguments, command_line);
+    };
+}
+
+}  // namespace bruma::app

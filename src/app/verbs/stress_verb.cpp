@@ -1,0 +1,52 @@
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "app/sibling.h"
+#include "app/verbs/verbs.h"
+#include "base/error.h"
+#include "measure/stress.h"
+
+namespace bruma::app {
+namespace {
+
+struct StressArguments {
+    std::string context = "auto";
+    measure::StressOptions options;
+};
+
+int stress_volume(const StressArguments& arguments, const std::vector<std::string>& command_line) {
+    const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
+    measure::StressOptions options = arguments.options;
+    options.say = [](const measure::StressVerdict& verdict) {
+        fmt::print("{}\n", measure::line_of(verdict));
+        std::fflush(stdout);
+    };
+    const std::vector<measure::StressVerdict> verdicts = measure::run_volume_stress(options);
+    if (verdicts.empty()) {
+        throw InputError(fmt::format("--only {}: no case has this in its name; run without it to see them all",
+                                     arguments.options.only));
+    }
+    fmt::print("\n{}", measure::summary_of(verdicts));
+    const bool all_ok = std::all_of(verdicts.begin(), verdicts.end(), [](const auto& verdict) { return verdict.ok; });
+    return int(all_ok ? ExitCode::done : ExitCode::answer_is_no);
+}
+
+}  // namespace
+
+Verb declare_stress(CLI::App& app, const std::vector<std::string>& command_line) {
+    auto arguments = std::make_shared<StressArguments>();
+    CLI::App* volume =
+        app.add_subcommand("volume", "measured volumes: values, curves, cameras, placement, march, lights");
+    volume->add_option("--context", arguments->context, "auto, egl or osmesa");
+    volume->add_option("--only", arguments->options.only, "only cases with this in GROUP/NAME");
+    volume->add_option("--random", arguments->options.random_scenes, "how many scenes to draw at random")
+        ->check(CLI::Range(0, 1000000));
+    volume->fallthrough();  // --verbose and --shaders stand on the verb itself
+    app.require_subcommand(1);
+    return [arguments, command_line] { return stress_volume(*arguments, command_line); };
+}
+
+}  // namespace bruma::app

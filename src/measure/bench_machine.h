@@ -1,0 +1,44 @@
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace bruma::measure {
+
+/// Where and when something was measured: times are numbers of this machine and of no other.
+struct Machine {
+    std::string vendor, renderer, driver;  ///< OpenGL's own words
+    std::string cpu;                       ///< model name
+    int cores = 0;
+    std::string date;     ///< UTC, ISO 8601
+    std::string version;  ///< of this program
+};
+/// Needs a current context.
+Machine describe_machine();
+nlohmann::json to_json(const Machine& machine);
+
+/// What one piece of work took.
+struct Duration {
+    double wall_ms = 0.0;
+    double cpu_ms = 0.0;  ///< of all threads of this process; with a driver that draws on the CPU, the drawing too
+};
+
+/// Runs `body` between two drained OpenGL queues.
+template <class Body>
+Duration drained(const Body& body);
+
+/// The middle value, of an even number of values the upper one of the two; throws nothing, 0 for none.
+double median(std::vector<double> values);
+
+/// Drains the queue and reads both clocks, in ms.
+Duration clocks_when_drained();
+
+template <class Body>
+Duration drained(const Body& body) {
+    const Duration start = clocks_when_drained();
+    body();
+    const Duration end = clocks_when_drained();
+    return {end.wall_ms - start.wall_ms, end.cpu_ms - start.cpu_ms};
+}
+
+}  // namespace bruma::measure
