@@ -119,6 +119,16 @@ double srgb_of_linear(double linear) {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
 }
 
+glm::dvec3 linear_of_encoded(const float* encoded) {
+    glm::dvec3 linear;
+    for (int n = 0; n < 3; ++n) {
+        const double e = std::max(0.0F, encoded[n]);
+        // The curve of io stops at 1; lights may be brighter.
+        linear[n] = e <= 1.0 ? io::linear_of_srgb(e) : std::pow((e + 0.055) / 1.055, 2.4);
+    }
+    return linear;
+}
+
 bool edit_color(const char* label, glm::dvec3& linear) {
     float encoded[3];
     for (int n = 0; n < 3; ++n) {
@@ -126,11 +136,7 @@ bool edit_color(const char* label, glm::dvec3& linear) {
     }
     const bool changed = ImGui::ColorEdit3(label, encoded, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR);
     if (changed) {
-        for (int n = 0; n < 3; ++n) {
-            const double e = std::max(0.0F, encoded[n]);
-            // The curve of io stops at 1; lights may be brighter.
-            linear[n] = e <= 1.0 ? io::linear_of_srgb(e) : std::pow((e + 0.055) / 1.055, 2.4);
-        }
+        linear = linear_of_encoded(encoded);
     }
     return changed;
 }

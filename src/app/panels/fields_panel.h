@@ -91,6 +91,8 @@ void tooltip(std::string_view words);
 
 /// The sRGB value of a linear one and back; values above 1 go on along the curve.
 double srgb_of_linear(double linear);
+/// Linear values of three encoded ones.
+glm::dvec3 linear_of_encoded(const float* encoded);
 /// Three linear numbers as a colour button with a picker.
 bool edit_color(const char* label, glm::dvec3& linear);
 

@@ -4,6 +4,7 @@
 
 #include "app/panels/widget_places.h"
 #include "context/context.h"
+#include "io/transfer_function_file.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
 
@@ -13,6 +14,8 @@ namespace bruma::app {
 struct PanelRequests {
     bool open_file = false, save_scene = false, save_scene_as = false, screenshot = false;
     bool fit = false, help = false, count_samples = false, undo = false, redo = false;
+    bool load_transfer_function = false, save_transfer_function = false;
+    std::string transfer_function_file;  ///< to be loaded into the volume being edited
 };
 
 /// What the viewer tells its panels.
@@ -27,6 +30,7 @@ struct ViewerFacts {
     render::RunReport passes;
     std::optional<render::SampleTotals> samples;  ///< when someone asked
     std::string scene_path;
+    std::vector<io::Preset> presets;  ///< of transfer functions
     bool can_undo = false, can_redo = false;
 };
 

@@ -40,9 +40,12 @@ void show_buttons(PanelContext& context) {
     ImGui::NewLine();
 }
 
-void show_sections(PanelContext& context) {
+void show_sections(PanelContext& context, TransferFunctionPanel& transfer_function) {
     if (section(context, "Scene", true)) {
         show_nodes(context);
+    }
+    if (section(context, "Transfer function", true)) {
+        transfer_function.show(context);
     }
     if (context.scene.nodes.contains(context.selected) && section(context, "Selected node", false)) {
         show_selected_node(context);
@@ -68,7 +71,7 @@ void show_sections(PanelContext& context) {
 
 }  // namespace
 
-float show_side_panel(PanelContext& context) {
+float show_side_panel(PanelContext& context, TransferFunctionPanel& transfer_function) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({screen.x, 0.0F}, ImGuiCond_Always, {1.0F, 0.0F});
@@ -82,7 +85,7 @@ float show_side_panel(PanelContext& context) {
     const float width = ImGui::GetWindowWidth();
     show_buttons(context);
     ImGui::BeginChild("sections");
-    show_sections(context);
+    show_sections(context, transfer_function);
     ImGui::EndChild();
     ImGui::End();
     return width;

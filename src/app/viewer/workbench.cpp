@@ -8,6 +8,7 @@
 #include "app/panels/side_panel.h"
 #include "app/panels/statistics_panel.h"
 #include "app/panels/theme.h"
+#include "app/scene_arguments.h"
 #include "base/error.h"
 #include "base/log.h"
 
@@ -16,6 +17,10 @@ namespace bruma::app {
 Workbench::Workbench(const ViewRequest& request, gl::ShaderLibrary& shaders, std::function<void()> wake)
     : request_(request), shaders_(shaders), wake_(std::move(wake)), view_(shaders) {
     facts_.driver = context::driver_info();
+    for (const std::filesystem::path& folder : preset_folders()) {
+        const std::vector<io::Preset> found = io::list_presets(folder);
+        facts_.presets.insert(facts_.presets.end(), found.begin(), found.end());
+    }
     history_.restart(scene_);
 }
 
@@ -67,7 +72,7 @@ void Workbench::show_panels() {
     PanelRequests requests;
     if (panels_shown_) {
         PanelContext context{scene_, selected_, places_, requests, facts_};
-        const float width = show_side_panel(context);
+        const float width = show_side_panel(context, transfer_function_panel_);
         area_.x = std::max(0, area_.x - int(std::ceil(width * ImGui::GetIO().DisplayFramebufferScale.x)));
     }
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;

@@ -5,6 +5,7 @@
 
 #include "app/panels/dialogs.h"
 #include "app/panels/panel_context.h"
+#include "app/panels/transfer_function_panel.h"
 #include "app/program.h"
 #include "app/viewer/background_loader.h"
 #include "app/viewer/edit_history.h"
@@ -53,6 +54,7 @@ class Workbench {
     void merge(BackgroundLoader::Result result);
     void save_scene(bool ask);
     void take_screenshot();
+    void obey_about_transfer_functions(const PanelRequests& requests);
     /// Calls `act`; a fault becomes a dialog.
     void attempt(const std::string& title, const std::function<void()>& act);
     void notice(const std::string& words);
@@ -69,6 +71,7 @@ class Workbench {
     Dialogs dialogs_;
     WidgetPlaces places_;
     ViewerFacts facts_;
+    TransferFunctionPanel transfer_function_panel_;
     glm::ivec2 area_{0};
     double now_ = 0.0;
     std::string shader_fault_, notice_;

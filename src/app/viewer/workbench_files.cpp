@@ -138,6 +138,38 @@ void Workbench::obey(const PanelRequests& requests) {
         attempt("Samples could not be counted", [&] { facts_.samples = view_.count_samples(scene_); });
     }
     help_shown_ ^= requests.help;
+    obey_about_transfer_functions(requests);
+}
+
+void Workbench::obey_about_transfer_functions(const PanelRequests& requests) {
+    const auto edited = [this]() -> scene::Volume* {
+        const std::string name = edited_volume(scene_, selected_);
+        return name.empty() ? nullptr : &std::get<scene::Volume>(scene_.nodes.at(name).content);
+    };
+    const auto load = [this, edited](const std::string& path) {
+        attempt("The transfer function was not loaded", [&] {
+            if (scene::Volume* volume = edited()) {
+                volume->transfer_function.set(io::load_transfer_function(path));
+            }
+        });
+    };
+    if (!requests.transfer_function_file.empty()) {
+        load(requests.transfer_function_file);
+    }
+    if (requests.load_transfer_function) {
+        dialogs_.ask_path("Load a transfer function", "Path of a transfer function's .json file.", "", load);
+    }
+    if (requests.save_transfer_function) {
+        dialogs_.ask_path("Save the transfer function", "Path of the .json file; an existing one is replaced.",
+                          "transfer-function.json", [this, edited](const std::string& path) {
+                              attempt("The transfer function was not saved", [&] {
+                                  if (const scene::Volume* volume = edited()) {
+                                      io::save_transfer_function(*volume->transfer_function, path);
+                                      notice("Saved " + std::filesystem::absolute(path).string());
+                                  }
+                              });
+                          });
+    }
 }
 
 void Workbench::save_scene(bool ask) {
