@@ -10,6 +10,7 @@ namespace bruma::app {
 namespace {
 
 constexpr float reach = 9.0F;         ///< screen units from a point at which it is grasped
+constexpr float margin = 7.0F;        ///< room at both ends, so that points on the border can be grasped
 constexpr double fine_control = 0.1;  ///< share of the hand's way while Shift is held
 
 ImU32 display_color(glm::dvec3 linear, float opacity) {
@@ -70,7 +71,7 @@ void TransferFunctionEditor::show(scene::TransferFunction& tf, std::array<double
     const float em = ImGui::GetFontSize();
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 size{ImGui::GetContentRegionAvail().x, 11.0F * em};
-    const Canvas canvas{low, {low.x + size.x, low.y + size.y}};
+    const Canvas canvas{{low.x + margin, low.y + 4.0F}, {low.x + size.x - margin, low.y + size.y}};
     point_ = std::min(point_, int(tf.opacity.size()) - 1);
     color_ = std::min(color_, int(tf.color.size()) - 1);
 
@@ -133,8 +134,10 @@ void TransferFunctionEditor::edit_opacity(scene::TransferFunction& tf, const Can
 void TransferFunctionEditor::draw_curve(const scene::TransferFunction& tf, std::array<double, 2> window,
                                         const Canvas& canvas) const {
     ImDrawList* draw = ImGui::GetWindowDrawList();
-    draw->AddRectFilled(canvas.low, canvas.high, IM_COL32(17, 18, 20, 255), 4.0F);
-    draw->PushClipRect(canvas.low, canvas.high, true);
+    const ImVec2 corner{canvas.low.x - margin, canvas.low.y - 4.0F};
+    const ImVec2 opposite{canvas.high.x + margin, canvas.high.y};
+    draw->AddRectFilled(corner, opposite, IM_COL32(17, 18, 20, 255), 4.0F);
+    draw->PushClipRect(corner, opposite, true);
     const int columns = std::max(1, int(canvas.high.x - canvas.low.x) / 2);
     const double value_width = window[1] - window[0];
     std::vector<ImVec2> curve;
@@ -143,7 +146,7 @@ void TransferFunctionEditor::draw_curve(const scene::TransferFunction& tf, std::
         const double next = double(n + 1) / columns;
         const float x0 = canvas.x(u);
         const float x1 = canvas.x(next);
-        const auto [from, to] = std::minmax(window[0] + u * value_width, window[0] + next * value_width);
+        const auto [from, to] = std::minmax({window[0] + u * value_width, window[0] + next * value_width});
         const double count = histogram_.height(from, to, logarithmic_counts_);
         draw->AddRectFilled({x0, canvas.y(0.94 * count)}, {x1, canvas.high.y}, IM_COL32(74, 78, 86, 255));
         const float y = canvas.y(height_of_opacity(scale_, scene::opacity_at(tf, u)));
@@ -177,7 +180,7 @@ void TransferFunctionEditor::edit_colors(scene::TransferFunction& tf, WidgetPlac
     const float em = ImGui::GetFontSize();
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 size{ImGui::GetContentRegionAvail().x, 2.0F * em};
-    const Canvas canvas{low, {low.x + size.x, low.y + 1.15F * em}};
+    const Canvas canvas{{low.x + margin, low.y}, {low.x + size.x - margin, low.y + 1.15F * em}};
     ImGui::InvisibleButton("tf-colors", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     places.note_last("tf-colors");
     const ImVec2 mouse = ImGui::GetMousePos();
@@ -189,7 +192,7 @@ void TransferFunctionEditor::edit_colors(scene::TransferFunction& tf, WidgetPlac
             nearest = n;
         }
     }
-    const double u = std::clamp(double(mouse.x - canvas.low.x) / size.x, 0.0, 1.0);
+    const double u = std::clamp(double(mouse.x - canvas.low.x) / (canvas.high.x - canvas.low.x), 0.0, 1.0);
     if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(0)) {
         color_ =
             nearest >= 0 ? nearest : insert_sorted(tf.color, {scene::position_of_u(tf, u), scene::color_at(tf, u)});
@@ -212,8 +215,9 @@ void TransferFunctionEditor::edit_colors(scene::TransferFunction& tf, WidgetPlac
     if (grasping_ && color_ >= 0 && ImGui::GetIO().MouseDelta.x != 0.0F) {
         follow_hand(grasp_);
         scene::ColorPoint& point = tf.color[std::size_t(color_)];
-        point.position = clamped(scene::position_of_u(tf, double(grasp_.x - canvas.low.x) / size.x),
-                                 between_neighbours(tf.color, color_, tf.domain));
+        point.position =
+            clamped(scene::position_of_u(tf, double(grasp_.x - canvas.low.x) / (canvas.high.x - canvas.low.x)),
+                    between_neighbours(tf.color, color_, tf.domain));
     }
     if (ImGui::IsItemHovered() && !ImGui::IsAnyMouseDown()) {
         ImGui::SetTooltip(nearest >= 0 ? "double click: choose the colour" : "click: add a colour");
@@ -243,6 +247,9 @@ void TransferFunctionEditor::pick_color(scene::TransferFunction& tf) {
     if (!ImGui::BeginPopup("tf-picker")) {
         return;
     }
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+        ImGui::CloseCurrentPopup();
+    }
     if (color_ >= 0) {
         glm::dvec3& linear = tf.color[std::size_t(color_)].color;
         float encoded[3];
@@ -266,7 +273,7 @@ void TransferFunctionEditor::edit_window(scene::TransferFunction& tf, std::array
     places.note_last("tf-window");
     const double smallest = histogram_.smallest();
     const double width = histogram_.largest() > smallest ? histogram_.largest() - smallest : 1.0;
-    const Canvas canvas{{low.x + 5.0F, low.y}, {low.x + size.x - 5.0F, low.y + size.y}};
+    const Canvas canvas{{low.x + margin, low.y}, {low.x + size.x - margin, low.y + size.y}};
     const auto x_of = [&](double value) { return canvas.x(std::clamp((value - smallest) / width, 0.0, 1.0)); };
     const float ends[2] = {x_of(window[0]), x_of(window[1])};
     const float mouse = ImGui::GetMousePos().x;

@@ -23,6 +23,7 @@ struct DriveStep {
 ///     type TEXT
 ///     open FILE                  as if dropped on the window
 ///     wait-idle                  until nothing is being read, refined or still to be drawn
+///     wait [MS]                  for so long; without a number, for the frames that are due
 ///     watch-passes               forgets which passes have run
 ///     expect-passes LIST         passes that ran since the last watch-passes or expect-passes, in order: 'a: tables,
 ///     march' expect-node NAME           the scene has it expect-no-node NAME        the scene does not have it

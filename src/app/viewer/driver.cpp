@@ -33,7 +33,7 @@ void Driver::fail(const DriveStep& step, const std::string& words) const {
 }
 
 bool Driver::is_idle() const {
-    return !workbench_.is_loading() && !workbench_.next_frame_at() && !input_.frame_is_due();
+    return !workbench_.is_loading() && !workbench_.view().refine_at() && !input_.frame_is_due();
 }
 
 void Driver::act(double now) {
@@ -74,6 +74,8 @@ bool Driver::step(const DriveStep& step, double now) {
         input_.dropped({step.parts[0]});
     } else if (word == "wait-idle") {
         return is_idle();
+    } else if (word == "wait") {
+        return now - *step_started_ >= 1e-3 * (step.parts.empty() ? 0.0 : std::atof(step.parts[0].c_str()));
     } else if (word == "expect-frames-idle") {
         return expect_idle(step, now);
     } else if (word == "screenshot") {

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <glm/glm.hpp>
 
 #include "render/passes/march_pass.h"
@@ -15,6 +16,9 @@ class QualityController {
     render::View moving(glm::ivec2 area) const;
     /// The view of the picture that stays.
     static render::View refined(glm::ivec2 area) { return {area, 1.0}; }
+
+    /// What the refined picture will cost, ms; 0 when unknown.
+    double refined_ms(glm::ivec2 area) const { return std::max(0.0, ms_per_pixel_) * area.x * area.y; }
 
     /// Tells what a picture cost: the march over `view`, and all other passes.
     void measured(const render::View& view, double march_ms, double other_ms);

@@ -8,7 +8,8 @@
 
 namespace bruma::app {
 
-bool SceneView::update(const scene::Scene& scene, glm::ivec2 area, double now) {
+bool SceneView::update(const scene::Scene& scene, glm::ivec2 area, double now, bool hand_down) {
+    hand_down_ = hand_down;
     if (!scene.camera || area.x < 1 || area.y < 1) {
         return false;
     }
@@ -26,7 +27,7 @@ bool SceneView::update(const scene::Scene& scene, glm::ivec2 area, double now) {
         moving_ms_ = last_ms_;
         return true;
     }
-    if (!refined_ && now - changed_at_ >= rest_s) {
+    if (!refined_ && now - changed_at_ >= rest_s && !waits_for_hand()) {
         refined_ = true;
         return render(scene, QualityController::refined(area));
     }
@@ -73,8 +74,12 @@ void SceneView::draw(const scene::Display& display, glm::ivec2 area) {
     }
 }
 
+bool SceneView::waits_for_hand() const {
+    return hand_down_ && quality_.refined_ms(area_) > longest_hiccup_ms;
+}
+
 std::optional<double> SceneView::refine_at() const {
-    return refined_ || !has_picture_ ? std::nullopt : std::optional(changed_at_ + rest_s);
+    return refined_ || !has_picture_ || waits_for_hand() ? std::nullopt : std::optional(changed_at_ + rest_s);
 }
 
 io::Picture8 SceneView::refined_picture(const scene::Scene& scene, glm::ivec2 area) {

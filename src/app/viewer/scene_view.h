@@ -20,8 +20,9 @@ class SceneView {
 
     explicit SceneView(gl::ShaderLibrary& shaders) : shaders_(shaders), renderer_(shaders), presenter_(shaders) {}
 
-    /// Brings the picture up to date for `area` pixels; `now` in seconds. Returns whether it rendered.
-    bool update(const scene::Scene& scene, glm::ivec2 area, double now);
+    /// Brings the picture up to date for `area` pixels; `now` in seconds. While a hand is down, a refinement that would
+    /// make it wait waits itself. Returns whether it rendered.
+    bool update(const scene::Scene& scene, glm::ivec2 area, double now, bool hand_down);
     /// Draws the picture over the lower left `area` of the window.
     void draw(const scene::Display& display, glm::ivec2 area);
 
@@ -43,6 +44,8 @@ class SceneView {
     std::vector<std::string> take_passes_run() { return std::exchange(passes_run_, {}); }
 
   private:
+    static constexpr double longest_hiccup_ms = 250.0;
+    bool waits_for_hand() const;
     bool render(const scene::Scene& scene, const render::View& view);
 
     gl::ShaderLibrary& shaders_;
@@ -53,7 +56,7 @@ class SceneView {
     Revision shader_revision_ = 0;
     glm::ivec2 area_{0};
     render::View view_;
-    bool refined_ = false, has_picture_ = false;
+    bool refined_ = false, has_picture_ = false, hand_down_ = false;
     double changed_at_ = 0.0;
     std::string fault_;
     render::RunReport report_;

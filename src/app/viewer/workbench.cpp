@@ -41,11 +41,12 @@ void Workbench::frame(glm::ivec2 pixels, double now) {
     }
     show_over_picture();
     dialogs_.show(places_);
+    ask_for_layout();
     obey_keys();
     move_camera();
     history_.observe(scene_, ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive());
 
-    if (view_.update(scene_, area_, now)) {
+    if (view_.update(scene_, area_, now, ImGui::IsAnyMouseDown())) {
         facts_.samples.reset();
     }
     facts_.view = view_.view();

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/panels/dialogs.h"
+#include "app/panels/layout_dialog.h"
 #include "app/panels/panel_context.h"
 #include "app/panels/transfer_function_panel.h"
 #include "app/program.h"
@@ -49,9 +50,11 @@ class Workbench {
     void obey_keys();
     void obey(const PanelRequests& requests);
     void set_camera(const scene::Camera& camera) { scene_.camera->set(camera); }
+    bool in_dialog() const { return dialogs_.any() || layout_dialog_.is_open(); }
     void fit();
     void start_loading(std::vector<std::string> files, const scene::VolumeSource& hints);
     void merge(BackgroundLoader::Result result);
+    void ask_for_layout();
     void save_scene(bool ask);
     void take_screenshot();
     void obey_about_transfer_functions(const PanelRequests& requests);
@@ -69,6 +72,7 @@ class Workbench {
     BackgroundLoader loader_;
     EditHistory history_;
     Dialogs dialogs_;
+    LayoutDialog layout_dialog_;
     WidgetPlaces places_;
     ViewerFacts facts_;
     TransferFunctionPanel transfer_function_panel_;

@@ -36,7 +36,7 @@ void Workbench::move_camera() {
     if (!ImGui::IsMouseDown(2) && !(panning_ && ImGui::IsMouseDown(0) && io.KeyShift)) {
         panning_ = false;
     }
-    if (!scene_.camera || dialogs_.any()) {
+    if (!scene_.camera || in_dialog()) {
         return;
     }
     scene::Camera camera = **scene_.camera;
@@ -68,7 +68,7 @@ void Workbench::move_camera() {
 
 void Workbench::obey_keys() {
     const ImGuiIO& io = ImGui::GetIO();
-    if (dialogs_.any() || io.WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+    if (in_dialog() || io.WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
         return;
     }
     const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, false); };

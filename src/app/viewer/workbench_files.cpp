@@ -71,13 +71,16 @@ bool Workbench::take_loaded() {
         log_error("{}", result->fault);
         dialogs_.tell("This could not be opened", result->fault);
     } else {
+        if (!result->file_of_unknown_layout.empty()) {
+            layout_dialog_.open(result->file_of_unknown_layout, result->proposals);
+        }
         merge(std::move(*result));
     }
     return true;
 }
 
 void Workbench::merge(BackgroundLoader::Result result) {
-    if (!result.scene) {
+    if (!result.scene || (result.scene->nodes.empty() && !result.replaces)) {
         return;
     }
     const bool was_empty = scene_.nodes.empty();
@@ -169,6 +172,19 @@ void Workbench::obey_about_transfer_functions(const PanelRequests& requests) {
                                   }
                               });
                           });
+    }
+}
+
+void Workbench::ask_for_layout() {
+    if (dialogs_.any()) {
+        return;
+    }
+    const LayoutDialog::Answer answer = layout_dialog_.show(places_);
+    if (answer == LayoutDialog::Answer::load && !loader_.busy()) {
+        start_loading({layout_dialog_.file()}, layout_dialog_.chosen());
+    }
+    if (answer != LayoutDialog::Answer::none) {
+        layout_dialog_.close();
     }
 }
 
