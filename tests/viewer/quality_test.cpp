@@ -29,7 +29,7 @@ TEST(Quality, ASlowMachineStaysWithinTheTimeOfAFrame) {
         const render::View view = quality.moving({800, 600});
         const double ms = ms_at_full * pixels_of(view) / (800.0 * 600.0) / view.step_scale;
         EXPECT_LE(ms, QualityController::target_ms * (1.0 + 1e-9)) << ms_at_full;
-        EXPECT_EQ(quality.refined_ms({800, 600}), ms_at_full);
+        EXPECT_DOUBLE_EQ(quality.refined_ms({800, 600}), ms_at_full);
     }
 }
 

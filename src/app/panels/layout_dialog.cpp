@@ -67,7 +67,7 @@ void LayoutDialog::show_proposals(WidgetPlaces& places) {
     const float em = ImGui::GetFontSize();
     ImGui::TextDisabled("%s", proposals_.empty() ? "Nothing likely was found: please fill in the numbers."
                                                  : "Likely layouts, the likeliest first");
-    ImGui::BeginChild("proposals", {27.0F * em, 12.0F * em}, true);
+    ImGui::BeginChild("proposals", {32.0F * em, 12.0F * em}, true);
     for (int n = 0; n < int(proposals_.size()); ++n) {
         const io::RawProposal& proposal = proposals_[std::size_t(n)];
         const std::string words = io::layout_words(proposal.size, proposal.type) +
@@ -79,6 +79,7 @@ void LayoutDialog::show_proposals(WidgetPlaces& places) {
         places.note_last(fmt::format("proposal-{}", n));
         ImGui::PopID();
         ImGui::TextDisabled("    %s", proposal.reason.c_str());
+        tooltip(proposal.reason);
     }
     ImGui::EndChild();
 }

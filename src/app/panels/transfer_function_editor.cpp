@@ -43,7 +43,9 @@ template <class Point>
 int insert_sorted(std::vector<Point>& points, Point point) {
     const auto at = std::upper_bound(points.begin(), points.end(), point,
                                      [](const Point& a, const Point& b) { return a.position < b.position; });
-    return int(points.insert(at, point) - points.begin());
+    const auto index = at - points.begin();
+    points.insert(at, point);
+    return int(index);
 }
 
 template <class Point>

@@ -99,9 +99,8 @@ BackgroundLoader::Job add_files_job(scene::Scene scene, std::vector<std::string>
             part(0.0, files[n]);
             if (is_raw(files[n]) && std::filesystem::exists(files[n]) &&
                 !io::known_layout_parts(files[n], hints).complete()) {
-                result.file_of_unknown_layout = files[n];
                 const scene::VolumeSource known = io::known_layout_parts(files[n], hints).as_hints();
-                result.proposals = io::propose_layouts(files[n], known, 12);
+                result.unknown.push_back({files[n], io::propose_layouts(files[n], known, 12)});
                 continue;
             }
             if (is_whole_scene(files[n])) {

@@ -17,13 +17,16 @@ namespace bruma::app {
 /// Reads files on a thread of its own, one job at a time, while the window stays alive.
 class BackgroundLoader {
   public:
-    /// What a job leaves behind: a scene, or a sentence of why not, or a file whose layout a person must tell.
+    struct UnknownLayout {
+        std::string file;
+        std::vector<io::RawProposal> proposals;
+    };
+    /// What a job leaves behind: a scene, or a sentence of why not.
     struct Result {
         std::optional<scene::Scene> scene;
         bool replaces = false;  ///< the scene stands for itself; otherwise its nodes are to be added
         std::string fault;
-        std::string file_of_unknown_layout;
-        std::vector<io::RawProposal> proposals;
+        std::vector<UnknownLayout> unknown;  ///< files left out until a person tells how they lie
         bool cancelled = false;
     };
     /// Makes a result; may throw Error, and whatever `progress` throws.

@@ -37,7 +37,12 @@ bool SceneView::update(const scene::Scene& scene, glm::ivec2 area, double now, b
 bool SceneView::render(const scene::Scene& scene, const render::View& view) {
     const auto start = std::chrono::steady_clock::now();
     try {
-        report_ = renderer_.render(scene, view, true);
+        render::RunReport report = renderer_.render(scene, view, true);
+        if (std::none_of(report.begin(), report.end(), [](const render::PassReport& pass) { return pass.ran; })) {
+            fault_.clear();
+            return true;  // the picture was there already; what it cost is still told
+        }
+        report_ = std::move(report);
     } catch (const Error& error) {
         // Tried again when something changes, such as the shader at fault.
         if (fault_ != error.what()) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <deque>
 #include <functional>
 #include <string>
 #include <vector>
@@ -66,13 +67,14 @@ class Workbench {
     gl::ShaderLibrary& shaders_;
     std::function<void()> wake_;
     scene::Scene scene_;
-    std::string scene_path_, selected_;
+    std::string scene_path_, path_being_read_, selected_;
     std::optional<scene::Camera> first_camera_;
     SceneView view_;
     BackgroundLoader loader_;
     EditHistory history_;
     Dialogs dialogs_;
     LayoutDialog layout_dialog_;
+    std::deque<BackgroundLoader::UnknownLayout> unknown_;  ///< to be asked about
     WidgetPlaces places_;
     ViewerFacts facts_;
     TransferFunctionPanel transfer_function_panel_;

@@ -53,10 +53,9 @@ void Workbench::open(std::vector<std::string> files, const scene::VolumeSource& 
 
 void Workbench::start_loading(std::vector<std::string> files, const scene::VolumeSource& hints) {
     const std::string title = "Reading " + names_of(files);
-    const bool is_scene_file = files.size() == 1 && is_whole_scene(files[0]) && !files[0].starts_with("builtin:");
-    if (is_scene_file) {
-        scene_path_ = files[0];
-    }
+    // Saving goes to the file that the scene came from, once it has come.
+    const auto whole = std::find_if(files.begin(), files.end(), is_whole_scene);
+    path_being_read_ = whole == files.end() || whole->starts_with("builtin:") ? "" : *whole;
     loader_.start(title, add_files_job(scene_, std::move(files), hints), wake_);
 }
 
@@ -71,9 +70,7 @@ bool Workbench::take_loaded() {
         log_error("{}", result->fault);
         dialogs_.tell("This could not be opened", result->fault);
     } else {
-        if (!result->file_of_unknown_layout.empty()) {
-            layout_dialog_.open(result->file_of_unknown_layout, result->proposals);
-        }
+        unknown_.insert(unknown_.end(), result->unknown.begin(), result->unknown.end());
         merge(std::move(*result));
     }
     return true;
@@ -92,6 +89,8 @@ void Workbench::merge(BackgroundLoader::Result result) {
                 loaded = io::with_settings(loaded, std::exchange(request_.settings, {}), {}, preset_folders());
             }
             scene_ = std::move(loaded);
+            scene_path_ = path_being_read_;
+            selected_.clear();
             newest = scene_.nodes.empty() ? "" : scene_.nodes.begin()->first;
         } else {
             // What a person changed while the file was read stays as they left it.
@@ -178,6 +177,10 @@ void Workbench::obey_about_transfer_functions(const PanelRequests& requests) {
 void Workbench::ask_for_layout() {
     if (dialogs_.any()) {
         return;
+    }
+    if (!layout_dialog_.is_open() && !unknown_.empty() && !loader_.busy()) {
+        layout_dialog_.open(unknown_.front().file, unknown_.front().proposals);
+        unknown_.pop_front();
     }
     const LayoutDialog::Answer answer = layout_dialog_.show(places_);
     if (answer == LayoutDialog::Answer::load && !loader_.busy()) {
