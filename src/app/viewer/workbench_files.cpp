@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "app/scene_arguments.h"
+#include "app/viewer/orbit.h"
 #include "app/viewer/workbench.h"
 #include "base/log.h"
 #include "io/open.h"
@@ -110,6 +111,11 @@ void Workbench::merge(BackgroundLoader::Result result) {
             selected_ = newest == name || (selected_.empty() && is_volume) ? name : selected_;
         }
         const double aspect = area_.y > 0 ? double(area_.x) / area_.y : 1.6;
+        constexpr double usual_aspect = 16.0 / 9.0;
+        if (result.replaces && scene_.camera && path_being_read_.empty() && aspect < usual_aspect) {
+            // Scenes made by code are framed for a wide picture; what stands at its sides is not cut off.
+            set_camera(zoomed(**scene_.camera, usual_aspect / aspect));
+        }
         place_camera(scene_, aspect, std::exchange(request_.camera, ""), std::exchange(request_.up, ""));
         first_camera_ = **scene_.camera;
     });
