@@ -1,0 +1,43 @@
+#pragma once
+#include <deque>
+#include <functional>
+#include <string>
+
+#include "app/panels/widget_places.h"
+
+namespace bruma::app {
+
+/// Windows in front of all others that wait for an answer: questions for a path, sentences to be read, questions to be
+/// agreed with. Shown one at a time; Escape closes them without doing anything.
+class Dialogs {
+  public:
+    /// Asks for a path and calls `then` with it.
+    void ask_path(std::string title, std::string words, std::string path, std::function<void(std::string)> then);
+    /// Shows a sentence.
+    void tell(std::string title, std::string sentence);
+    /// Calls `then` only if the person agrees.
+    void confirm(std::string title, std::string sentence, std::string agree, std::function<void()> then);
+
+    void show(WidgetPlaces& places);
+    /// What the one in front says; empty when there is none.
+    std::string words() const { return waiting_.empty() ? "" : waiting_.front().words; }
+    bool any() const { return !waiting_.empty(); }
+
+  private:
+    enum class Kind { path, sentence, question };
+    struct Dialog {
+        Kind kind;
+        std::string title, words, path, agree;
+        std::function<void(std::string)> then;
+        bool shown = false;
+    };
+    std::deque<Dialog> waiting_;
+};
+
+/// How far a file has been read, with a button to stop; returns whether it was pressed.
+bool show_loading(const std::string& title, const std::string& what, double share, WidgetPlaces& places);
+
+/// Keys and gestures, over the picture; any click or key closes it.
+void show_help(bool& open);
+
+}  // namespace bruma::app

@@ -1,0 +1,117 @@
+#include "app/viewer/background_loader.h"
+
+#include <algorithm>
+#include <chrono>
+#include <new>
+
+#include "app/scene_arguments.h"
+#include "base/error.h"
+#include "io/grid_source.h"
+#include "io/open.h"
+#include "io/raw_layout.h"
+#include "scene/builtin.h"
+
+namespace bruma::app {
+namespace {
+
+struct Cancelled {};
+
+bool is_raw(const std::string& file) {
+    std::string ending = std::filesystem::path(file).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return !io::is_builtin(file) && ending == ".raw";
+}
+
+}  // namespace
+
+void BackgroundLoader::start(std::string title, Job job, std::function<void()> wake) {
+    cancelled_ = false;
+    standing_ = {std::move(title), "", 0.0};
+    result_.reset();
+    thread_ = std::jthread([this, job = std::move(job), wake = std::move(wake)] {
+        auto told = std::chrono::steady_clock::now();
+        const io::Progress progress = [&](double share, std::string_view what) {
+            if (cancelled_) {
+                throw Cancelled();
+            }
+            {
+                const std::scoped_lock lock(mutex_);
+                standing_.share = share;
+                standing_.what = what;
+            }
+            const auto now = std::chrono::steady_clock::now();
+            if (now - told > std::chrono::milliseconds(60)) {
+                told = now;
+                wake();
+            }
+        };
+        Result result;
+        try {
+            result = job(progress);
+        } catch (const Cancelled&) {
+            result.cancelled = true;
+        } catch (const std::bad_alloc&) {
+            result.fault = "not enough memory for this; close other programs or use smaller data";
+        } catch (const std::exception& fault) {
+            result.fault = fault.what();
+        }
+        {
+            const std::scoped_lock lock(mutex_);
+            result_ = std::move(result);
+        }
+        wake();
+    });
+}
+
+std::optional<BackgroundLoader::Result> BackgroundLoader::take() {
+    std::optional<Result> result;
+    {
+        const std::scoped_lock lock(mutex_);
+        result.swap(result_);
+    }
+    if (result) {
+        thread_.join();
+    }
+    return result;
+}
+
+BackgroundLoader::Standing BackgroundLoader::standing() const {
+    const std::scoped_lock lock(mutex_);
+    return standing_;
+}
+
+bool is_whole_scene(const std::string& file) {
+    if (io::is_builtin(file)) {
+        const std::vector<std::string> names = scene::builtin_scene_names();
+        return std::find(names.begin(), names.end(), io::builtin_name(file)) != names.end();
+    }
+    return std::filesystem::path(file).extension() == ".json";
+}
+
+BackgroundLoader::Job add_files_job(scene::Scene scene, std::vector<std::string> files, scene::VolumeSource hints) {
+    return [scene = std::move(scene), files = std::move(files), hints](const io::Progress& progress) mutable {
+        BackgroundLoader::Result result;
+        for (std::size_t n = 0; n < files.size(); ++n) {
+            const auto part = [&](double share, std::string_view what) {
+                progress((double(n) + share) / double(files.size()), what);
+            };
+            part(0.0, files[n]);
+            if (is_raw(files[n]) && std::filesystem::exists(files[n]) &&
+                !io::known_layout_parts(files[n], hints).complete()) {
+                const scene::VolumeSource known = io::known_layout_parts(files[n], hints).as_hints();
+                result.unknown.push_back({files[n], io::propose_layouts(files[n], known, 12)});
+                continue;
+            }
+            if (is_whole_scene(files[n])) {
+                scene = {};
+                result.replaces = true;
+            }
+            io::add_file(scene, files[n], hints, part, preset_folders());
+        }
+        result.scene = std::move(scene);
+        return result;
+    };
+}
+
+}  // namespace bruma::app

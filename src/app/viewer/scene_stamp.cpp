@@ -1,0 +1,45 @@
+#include "app/viewer/scene_stamp.h"
+
+#include <functional>
+#include <string>
+
+namespace bruma::app {
+namespace {
+
+void append_content(SceneStamp& stamp, const scene::Scene& scene) {
+    const std::hash<std::string> hash;
+    stamp.push_back(scene.background.revision());
+    stamp.push_back(scene.rendering.revision());
+    for (const auto& [name, light] : scene.lights) {
+        stamp.push_back(hash(name));
+        stamp.push_back(light.revision());
+    }
+    for (const auto& [name, node] : scene.nodes) {
+        stamp.push_back(hash(name));
+        stamp.push_back(hash(node.parent));
+        stamp.push_back(node.visible ? 1 : 0);
+        stamp.push_back(node.transform.revision());
+        if (const auto* volume = std::get_if<scene::Volume>(&node.content)) {
+            stamp.push_back(volume->grid.revision());
+            stamp.push_back(volume->transfer_function.revision());
+            stamp.push_back(volume->optics.revision());
+            stamp.push_back(volume->clip.revision());
+        }
+    }
+}
+
+}  // namespace
+
+SceneStamp picture_stamp(const scene::Scene& scene) {
+    SceneStamp stamp{scene.camera ? scene.camera->revision() : 0};
+    append_content(stamp, scene);
+    return stamp;
+}
+
+SceneStamp document_stamp(const scene::Scene& scene) {
+    SceneStamp stamp{scene.display.revision()};
+    append_content(stamp, scene);
+    return stamp;
+}
+
+}  // namespace bruma::app

@@ -1,0 +1,102 @@
+#include "app/viewer/scene_view.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "base/error.h"
+#include "base/log.h"
+
+namespace bruma::app {
+
+bool SceneView::update(const scene::Scene& scene, glm::ivec2 area, double now, bool hand_down) {
+    hand_down_ = hand_down;
+    if (!scene.camera || area.x < 1 || area.y < 1) {
+        return false;
+    }
+    SceneStamp stamp = picture_stamp(scene);
+    if (stamp != stamp_ || shaders_.revision() != shader_revision_ || area != area_) {
+        stamp_ = std::move(stamp);
+        shader_revision_ = shaders_.revision();
+        area_ = area;
+        changed_at_ = now;
+        const render::View view = quality_.moving(area);
+        refined_ = view == QualityController::refined(area);
+        if (!render(scene, view)) {
+            return false;
+        }
+        moving_ms_ = last_ms_;
+        return true;
+    }
+    if (!refined_ && now - changed_at_ >= rest_s && !waits_for_hand()) {
+        refined_ = true;
+        return render(scene, QualityController::refined(area));
+    }
+    return false;
+}
+
+bool SceneView::render(const scene::Scene& scene, const render::View& view) {
+    const auto start = std::chrono::steady_clock::now();
+    try {
+        render::RunReport report = renderer_.render(scene, view, true);
+        if (std::none_of(report.begin(), report.end(), [](const render::PassReport& pass) { return pass.ran; })) {
+            fault_.clear();
+            return true;  // the picture was there already; what it cost is still told
+        }
+        report_ = std::move(report);
+    } catch (const Error& error) {
+        // Tried again when something changes, such as the shader at fault.
+        if (fault_ != error.what()) {
+            fault_ = error.what();
+            log_error("{}", fault_);
+        }
+        refined_ = true;
+        return false;
+    }
+    fault_.clear();
+    last_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    double march_ms = 0.0;
+    for (const render::PassReport& pass : report_) {
+        if (!pass.ran) {
+            continue;
+        }
+        march_ms = pass.name == "march" ? pass.gpu_ms : march_ms;
+        if (std::find(passes_run_.begin(), passes_run_.end(), pass.name) == passes_run_.end()) {
+            passes_run_.push_back(pass.name);
+        }
+    }
+    quality_.measured(view, march_ms, last_ms_ - march_ms);
+    view_ = view;
+    has_picture_ = true;
+    ++renders_;
+    return true;
+}
+
+void SceneView::draw(const scene::Display& display, glm::ivec2 area) {
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    if (has_picture_ && area.x > 0 && area.y > 0) {
+        glViewport(0, 0, area.x, area.y);
+        presenter_.draw(renderer_.picture(), display, area);
+    }
+}
+
+bool SceneView::waits_for_hand() const {
+    return hand_down_ && quality_.refined_ms(area_) > longest_hiccup_ms;
+}
+
+std::optional<double> SceneView::refine_at() const {
+    return refined_ || !has_picture_ || waits_for_hand() ? std::nullopt : std::optional(changed_at_ + rest_s);
+}
+
+io::Picture8 SceneView::refined_picture(const scene::Scene& scene, glm::ivec2 area) {
+    render(scene, QualityController::refined(area));
+    if (!fault_.empty()) {
+        throw InputError(fault_);
+    }
+    return {area.x, area.y, presenter_.read(renderer_.picture(), *scene.display)};
+}
+
+render::SampleTotals SceneView::count_samples(const scene::Scene& scene) {
+    return renderer_.count_samples(scene, view_);
+}
+
+}  // namespace bruma::app

@@ -1,0 +1,68 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/viewer/quality.h"
+#include "app/viewer/scene_stamp.h"
+#include "io/picture_file.h"
+#include "render/presenter.h"
+#include "render/renderer.h"
+
+namespace bruma::app {
+
+/// The picture of the scene in the window: drawn coarsely while the scene changes, refined once it has been at rest for
+/// `rest_s`, and not drawn again until something changes.
+class SceneView {
+  public:
+    static constexpr double rest_s = 0.15;
+
+    explicit SceneView(gl::ShaderLibrary& shaders) : shaders_(shaders), renderer_(shaders), presenter_(shaders) {}
+
+    /// Brings the picture up to date for `area` pixels; `now` in seconds. While a hand is down, a refinement that would
+    /// make it wait waits itself. Returns whether it rendered.
+    bool update(const scene::Scene& scene, glm::ivec2 area, double now, bool hand_down);
+    /// Draws the picture over the lower left `area` of the window.
+    void draw(const scene::Display& display, glm::ivec2 area);
+
+    /// When `update` should be called again although nothing happens.
+    std::optional<double> refine_at() const;
+    bool is_refined() const { return refined_; }
+    const render::View& view() const { return view_; }
+    /// The refined picture as the display has it.
+    io::Picture8 refined_picture(const scene::Scene& scene, glm::ivec2 area);
+    render::SampleTotals count_samples(const scene::Scene& scene);
+
+    /// The sentence of why the last rendering failed; empty when it did not. The picture before it stays.
+    const std::string& fault() const { return fault_; }
+    const render::RunReport& report() const { return report_; }
+    double last_ms() const { return last_ms_; }
+    double moving_ms() const { return moving_ms_; }
+    int renders() const { return renders_; }
+    /// Names of the passes that ran since the last call, in the order of their first run.
+    std::vector<std::string> take_passes_run() { return std::exchange(passes_run_, {}); }
+
+  private:
+    static constexpr double longest_hiccup_ms = 250.0;
+    bool waits_for_hand() const;
+    bool render(const scene::Scene& scene, const render::View& view);
+
+    gl::ShaderLibrary& shaders_;
+    render::Renderer renderer_;
+    render::Presenter presenter_;
+    QualityController quality_;
+    SceneStamp stamp_;
+    Revision shader_revision_ = 0;
+    glm::ivec2 area_{0};
+    render::View view_;
+    bool refined_ = false, has_picture_ = false, hand_down_ = false;
+    double changed_at_ = 0.0;
+    std::string fault_;
+    render::RunReport report_;
+    double last_ms_ = 0.0, moving_ms_ = 0.0;
+    int renders_ = 0;
+    std::vector<std::string> passes_run_;
+};
+
+}  // namespace bruma::app

@@ -1,0 +1,147 @@
+#include "app/viewer/workbench.h"
+
+#include <fmt/core.h>
+#include <imgui/imgui.h>
+
+#include <algorithm>
+
+#include "app/panels/side_panel.h"
+#include "app/panels/statistics_panel.h"
+#include "app/panels/theme.h"
+#include "app/scene_arguments.h"
+#include "base/error.h"
+#include "base/log.h"
+
+namespace bruma::app {
+
+Workbench::Workbench(const ViewRequest& request, gl::ShaderLibrary& shaders, std::function<void()> wake)
+    : request_(request), shaders_(shaders), wake_(std::move(wake)), view_(shaders) {
+    facts_.driver = context::driver_info();
+    for (const std::filesystem::path& folder : preset_folders()) {
+        const std::vector<io::Preset> found = io::list_presets(folder);
+        facts_.presets.insert(facts_.presets.end(), found.begin(), found.end());
+    }
+    history_.restart(scene_);
+}
+
+void Workbench::frame(glm::ivec2 pixels, double now) {
+    now_ = now;
+    ++frames_;
+    places_.clear();
+    const ImGuiIO& io = ImGui::GetIO();
+    area_ = pixels;
+    const scene::Scene before = scene_;
+    show_panels();
+    try {
+        scene::check(scene_);
+    } catch (const InputError& fault) {
+        // What no picture can be made of is not taken; the panel shows the old value again.
+        scene_ = before;
+        notice(fault.what());
+    }
+    show_over_picture();
+    dialogs_.show(places_);
+    ask_for_layout();
+    obey_keys();
+    move_camera();
+    history_.observe(scene_, ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive());
+
+    if (view_.update(scene_, area_, now, ImGui::IsAnyMouseDown())) {
+        facts_.samples.reset();
+    }
+    facts_.view = view_.view();
+    facts_.area = area_;
+    facts_.refined = view_.is_refined();
+    facts_.last_ms = view_.last_ms();
+    facts_.moving_ms = view_.moving_ms();
+    facts_.frames = frames_;
+    facts_.renders = view_.renders();
+    facts_.passes = view_.report();
+    facts_.scene_path = scene_path_;
+    facts_.can_undo = history_.can_undo();
+    facts_.can_redo = history_.can_redo();
+
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, int(io.DisplaySize.x * io.DisplayFramebufferScale.x),
+               int(io.DisplaySize.y * io.DisplayFramebufferScale.y));
+    glClearColor(0.02F, 0.02F, 0.022F, 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
+    view_.draw(*scene_.display, area_);
+}
+
+void Workbench::show_panels() {
+    PanelRequests requests;
+    if (panels_shown_) {
+        PanelContext context{scene_, selected_, places_, requests, facts_};
+        const float width = show_side_panel(context, transfer_function_panel_);
+        area_.x = std::max(0, area_.x - int(std::ceil(width * ImGui::GetIO().DisplayFramebufferScale.x)));
+    }
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    places_.note("picture", {0.0F, 0.0F}, {float(area_.x) / scale.x, float(area_.y) / scale.y});
+    obey(requests);
+}
+
+void Workbench::show_over_picture() {
+    const float em = ImGui::GetFontSize();
+    ImDrawList* canvas = ImGui::GetBackgroundDrawList();
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    const ImVec2 size{float(area_.x) / scale.x, float(area_.y) / scale.y};
+    const std::string status = scene_.nodes.empty() ? "Ctrl+O opens a file, or drop one here; H shows all keys"
+                               : now_ < notice_until_
+                                   ? notice_
+                                   : fmt::format("{:.0f} ms, {}    H: keys", facts_.last_ms, quality_words(facts_));
+    const ImVec2 at{0.9F * em, size.y - 1.8F * em};
+    canvas->AddText({at.x + 1.0F, at.y + 1.0F}, IM_COL32(0, 0, 0, 200), status.c_str());
+    canvas->AddText(at, IM_COL32(190, 196, 204, 230), status.c_str());
+
+    const std::string& fault = shader_fault_.empty() ? view_.fault() : shader_fault_;
+    if (!fault.empty()) {
+        ImGui::SetNextWindowPos({0.0F, 0.0F});
+        ImGui::SetNextWindowSize({size.x, 0.0F});
+        ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.30F, 0.07F, 0.07F, 0.93F));
+        ImGui::Begin("fault", nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing |
+                         ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav);
+        ImGui::TextWrapped("%s", fault.c_str());
+        places_.note_last("fault");
+        ImGui::End();
+        ImGui::PopStyleColor();
+    }
+    if (loader_.busy()) {
+        const BackgroundLoader::Standing standing = loader_.standing();
+        if (show_loading(standing.title, standing.what, standing.share, places_)) {
+            loader_.cancel();
+        }
+    }
+    show_help(help_shown_);
+}
+
+void Workbench::notice(const std::string& words) {
+    notice_ = words;
+    notice_until_ = now_ + 6.0;
+    log_note("{}", words);
+}
+
+std::string Workbench::shown_fault() const {
+    const std::string& banner = shader_fault_.empty() ? view_.fault() : shader_fault_;
+    return banner.empty() ? dialogs_.words() : banner;
+}
+
+std::optional<double> Workbench::next_frame_at() const {
+    std::optional<double> at = view_.refine_at();
+    if (notice_until_ > now_) {
+        at = std::min(at.value_or(notice_until_), notice_until_);
+    }
+    return at;
+}
+
+void Workbench::attempt(const std::string& title, const std::function<void()>& act) {
+    try {
+        act();
+    } catch (const Error& fault) {
+        log_error("{}", fault.what());
+        dialogs_.tell(title, fault.what());
+    }
+}
+
+}  // namespace bruma::app
