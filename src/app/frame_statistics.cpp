@@ -55,37 +55,42 @@ std::string explanation(const render::RunReport& report) {
     return text;
 }
 
-FrameStatistics measure_frame(render::Renderer& renderer, scene::Scene scene, const render::View& view, int repeats) {
+FrameStatistics measure_frame(gl::ShaderLibrary& shaders, const scene::Scene& scene, const render::View& view,
+                              int repeats) {
+    struct Stand {
+        render::Renderer renderer;
+        scene::Scene scene;
+        std::vector<double> ms;
+    };
+    Stand fast{render::Renderer(shaders), scene, {}};
+    Stand brute{render::Renderer(shaders), scene, {}};
+    brute.scene.rendering.edit([](scene::RenderSettings& settings) {
+        settings.empty_space_skipping = false;
+        settings.early_termination = false;
+    });
     FrameStatistics statistics;
-    statistics.passes = renderer.render(scene, view, true);
-    statistics.samples = renderer.count_samples(scene, view);
+    statistics.passes = fast.renderer.render(fast.scene, view, true);
+    statistics.samples = fast.renderer.count_samples(fast.scene, view);
+    brute.renderer.render(brute.scene, view);
+    statistics.brute_samples = brute.renderer.count_samples(brute.scene, view);
     statistics.step_mm = 1e3 * render::Renderer::step_world(scene) * view.step_scale;
     if (scene.rendering->early_termination) {
         statistics.termination_bound = scene.rendering->stop_transmittance * largest_radiance(scene);
     }
-    const scene::RenderSettings as_set = *scene.rendering;
-    scene::RenderSettings brute = as_set;
-    brute.empty_space_skipping = false;
-    brute.early_termination = false;
-    const auto timed = [&](const scene::RenderSettings& settings) {
-        scene.rendering.set(settings);
-        // A background of another colour makes the picture stale even when both settings are the same.
-        scene.background.edit([](scene::Background& b) { b.top.x = b.top.x == 0.0 ? 1e-9 : 0.0; });
-        glFinish();
-        const auto start = std::chrono::steady_clock::now();
-        renderer.render(scene, view);
-        glFinish();
-        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    };
-    timed(brute);  // compiles its shader
-    std::vector<double> fast_ms, brute_ms;
     for (int n = 0; n < repeats; ++n) {
-        fast_ms.push_back(timed(as_set));
-        brute_ms.push_back(timed(brute));
+        for (Stand* stand : {&fast, &brute}) {
+            // A background of another colour makes the picture stale, and nothing but the picture.
+            stand->scene.background.edit([](scene::Background& b) { b.top.x += b.top.x < 1e-9 ? 1e-9 : -1e-9; });
+            glFinish();
+            const auto start = std::chrono::steady_clock::now();
+            stand->renderer.render(stand->scene, view);
+            glFinish();
+            stand->ms.push_back(
+                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+        }
     }
-    statistics.frame_ms = median(fast_ms);
-    statistics.brute_ms = median(brute_ms);
-    statistics.brute_samples = renderer.count_samples(scene, view);
+    statistics.frame_ms = median(fast.ms);
+    statistics.brute_ms = median(brute.ms);
     return statistics;
 }
 

@@ -17,8 +17,10 @@ struct FrameStatistics {
     double step_mm = 0.0;
     double termination_bound = 0.0;        ///< largest error that early termination can cause, radiance
 };
-/// Draws the frame `repeats` times with the scene's settings and without skipping and early termination, alternating.
-FrameStatistics measure_frame(render::Renderer& renderer, scene::Scene scene, const render::View& view, int repeats);
+/// Draws the frame `repeats` times with the scene's settings and without skipping and early termination, alternating
+/// between two renderers, so that neither loses what it keeps.
+FrameStatistics measure_frame(gl::ShaderLibrary& shaders, const scene::Scene& scene, const render::View& view,
+                              int repeats);
 
 nlohmann::json to_json(const FrameStatistics& statistics);
 std::string summary(const FrameStatistics& statistics);

@@ -71,8 +71,7 @@ int render(const RenderArguments& arguments, const std::vector<std::string>& com
         io::write_file_atomically(arguments.graph, renderer.graph().drawing());
     }
     if (!arguments.stats.empty()) {
-        render::Renderer fresh(shaders);
-        const FrameStatistics statistics = measure_frame(fresh, scene, view, arguments.repeats);
+        const FrameStatistics statistics = measure_frame(shaders, scene, view, arguments.repeats);
         fmt::print(stderr, "{}", summary(statistics));
         io::write_file_atomically(arguments.stats, to_json(statistics).dump(2) + "\n");
     }
