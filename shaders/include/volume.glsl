@@ -40,6 +40,8 @@ float table_coordinate(float u, const float entries) { return u * ((entries - 1.
 
 void begin_ray(int m, Volume volume)
 {
+    ray_enter[m] = 0.0;
+    ray_leave[m] = 0.0;
     ray_volumes[m] = volume;
     ray_cells_origin[m] = volume.origin * cells_from_texture[m];
     ray_cells_step[m] = volume.direction * cells_from_texture[m];

@@ -30,8 +30,8 @@ double largest_radiance(const scene::Scene& scene) {
         for (int n = 0; n <= 256; ++n) {
             const double c = largest(scene::color_at(*volume.transfer_function, n / 256.0));
             const double e = scene::emission_at(*volume.transfer_function, n / 256.0);
-            const double shaded = c * (volume.optics->ambient + volume.optics->diffuse * light) +
-                                  volume.optics->specular * light;
+            const double shaded =
+                c * (volume.optics->ambient + volume.optics->diffuse * light) + volume.optics->specular * light;
             most = std::max(most, (lit ? std::max(c, shaded) : c) + c * e);
         }
     }
@@ -49,8 +49,8 @@ std::string explanation(const render::RunReport& report) {
     for (const render::PassReport& pass : report) {
         const std::string cpu = pass.ran ? fmt::format("{:.2f}", pass.cpu_ms) : "-";
         const std::string gpu = pass.ran && pass.gpu_ms >= 0.0 ? fmt::format("{:.2f}", pass.gpu_ms) : "-";
-        text += fmt::format("{:{}}  {:7}  {:>8}  {:>8}  {}{}\n", pass.name, width, pass.ran ? "ran" : "skipped", cpu, gpu,
-                            pass.reason, pass.note.empty() ? "" : " (" + pass.note + ")");
+        text += fmt::format("{:{}}  {:7}  {:>8}  {:>8}  {}{}\n", pass.name, width, pass.ran ? "ran" : "skipped", cpu,
+                            gpu, pass.reason, pass.note.empty() ? "" : " (" + pass.note + ")");
     }
     return text;
 }
@@ -98,20 +98,30 @@ nlohmann::json to_json(const FrameStatistics& s) {
     const context::DriverInfo driver = context::driver_info();
     nlohmann::json passes = nlohmann::json::array();
     for (const render::PassReport& pass : s.passes) {
-        passes.push_back({{"name", pass.name}, {"computes", pass.sentence}, {"ran", pass.ran}, {"reason", pass.reason},
-                          {"cpu_ms", pass.cpu_ms}, {"gpu_ms", pass.gpu_ms}, {"note", pass.note}});
+        passes.push_back({{"name", pass.name},
+                          {"computes", pass.sentence},
+                          {"ran", pass.ran},
+                          {"reason", pass.reason},
+                          {"cpu_ms", pass.cpu_ms},
+                          {"gpu_ms", pass.gpu_ms},
+                          {"note", pass.note}});
     }
     return {{"driver", {{"vendor", driver.vendor}, {"renderer", driver.renderer}, {"version", driver.version}}},
             {"passes", passes},
             {"step_mm", s.step_mm},
             {"early_termination_error_bound", s.termination_bound},
-            {"frame", {{"march_ms_median", s.frame_ms}, {"samples", s.samples.samples},
-                       {"samples_per_pixel", s.samples.samples_per_pixel},
-                       {"emptiness_queries", s.samples.emptiness_queries}}},
-            {"brute_force", {{"march_ms_median", s.brute_ms}, {"samples", s.brute_samples.samples},
-                             {"samples_per_pixel", s.brute_samples.samples_per_pixel}}},
-            {"ratio", {{"time", s.brute_ms / std::max(1e-9, s.frame_ms)},
-                       {"samples", double(s.brute_samples.samples) / double(std::max<std::uint64_t>(1, s.samples.samples))}}}};
+            {"frame",
+             {{"march_ms_median", s.frame_ms},
+              {"samples", s.samples.samples},
+              {"samples_per_pixel", s.samples.samples_per_pixel},
+              {"emptiness_queries", s.samples.emptiness_queries}}},
+            {"brute_force",
+             {{"march_ms_median", s.brute_ms},
+              {"samples", s.brute_samples.samples},
+              {"samples_per_pixel", s.brute_samples.samples_per_pixel}}},
+            {"ratio",
+             {{"time", s.brute_ms / std::max(1e-9, s.frame_ms)},
+              {"samples", double(s.brute_samples.samples) / double(std::max<std::uint64_t>(1, s.samples.samples))}}}};
 }
 
 std::string summary(const FrameStatistics& s) {

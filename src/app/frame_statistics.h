@@ -11,11 +11,11 @@ std::string explanation(const render::RunReport& report);
 
 /// What a frame cost beside the same frame by brute force, both measured in turn in one run.
 struct FrameStatistics {
-    render::RunReport passes;              ///< of the first frame
+    render::RunReport passes;  ///< of the first frame
     render::SampleTotals samples, brute_samples;
-    double frame_ms = 0.0, brute_ms = 0.0; ///< medians of the march, wall time
+    double frame_ms = 0.0, brute_ms = 0.0;  ///< medians of the march, wall time
     double step_mm = 0.0;
-    double termination_bound = 0.0;        ///< largest error that early termination can cause, radiance
+    double termination_bound = 0.0;  ///< largest error that early termination can cause, radiance
 };
 /// Draws the frame `repeats` times with the scene's settings and without skipping and early termination, alternating
 /// between two renderers, so that neither loses what it keeps.

@@ -98,7 +98,8 @@ void SceneArguments::declare(CLI::App& app, bool with_view) {
     app.add_option("--endian", endian, "byte order: little or big");
     if (with_view) {
         app.add_option("--size", size, "pixels of the picture, as 1280x720");
-        app.add_option("--camera", camera, "front, back, left, right, top, bottom, or AZIMUTH,ELEVATION[,ZOOM] in degrees");
+        app.add_option("--camera", camera,
+                       "front, back, left, right, top, bottom, or AZIMUTH,ELEVATION[,ZOOM] in degrees");
         app.add_option("--up", up, "axis that is up in the picture: x, -x, y, -y, z, -z");
     }
 }
@@ -112,8 +113,8 @@ scene::VolumeSource SceneArguments::hints() const {
         }
         for (const long long part : parts) {
             if (part < 1 || part > (1LL << 30)) {
-                throw InputError(fmt::format("--dims {}: {} is no number of samples; each must be 1 to {}", dims, part,
-                                             1LL << 30));
+                throw InputError(
+                    fmt::format("--dims {}: {} is no number of samples; each must be 1 to {}", dims, part, 1LL << 30));
             }
         }
         hints.size = glm::ivec3(parts[0], parts[1], parts[2]);
@@ -128,7 +129,8 @@ scene::VolumeSource SceneArguments::hints() const {
         const std::vector<double> parts = numbers<double>(spacing, ',');
         if (parts.size() != 3 || !(parts[0] > 0.0) || !(parts[1] > 0.0) || !(parts[2] > 0.0) ||
             !std::isfinite(parts[0] + parts[1] + parts[2])) {
-            throw InputError(fmt::format("--spacing {}: not three positive lengths; write millimetres as 1,1,2", spacing));
+            throw InputError(
+                fmt::format("--spacing {}: not three positive lengths; write millimetres as 1,1,2", spacing));
         }
         hints.spacing = 1e-3 * glm::dvec3(parts[0], parts[1], parts[2]);
     }
@@ -148,13 +150,15 @@ glm::ivec2 SceneArguments::pixels() const {
     }
     constexpr long long most = 16384;
     if (parts[0] > most || parts[1] > most) {
-        throw InputError(fmt::format("--size {}: a picture has at most {} pixels along an edge; choose a smaller one",
-                                     size, most));
+        throw InputError(
+            fmt::format("--size {}: a picture has at most {} pixels along an edge; choose a smaller one", size, most));
     }
     return {int(parts[0]), int(parts[1])};
 }
 
-std::vector<std::filesystem::path> preset_folders() { return {installed_folder("assets") / "presets"}; }
+std::vector<std::filesystem::path> preset_folders() {
+    return {installed_folder("assets") / "presets"};
+}
 
 void place_camera(scene::Scene& scene, double aspect, const std::string& view, const std::string& up) {
     if (scene.camera && view.empty() && up.empty()) {
@@ -167,8 +171,8 @@ void place_camera(scene::Scene& scene, double aspect, const std::string& view, c
     const std::array<double, 3> angles = view.empty() ? std::array{29.0, 19.0, 1.0} : view_angles(view);
     const double azimuth = glm::radians(angles[0]);
     const double elevation = glm::radians(angles[1]);
-    const glm::dvec3 back = std::cos(elevation) * (std::sin(azimuth) * right + std::cos(azimuth) * front) +
-                            std::sin(elevation) * up_world;
+    const glm::dvec3 back =
+        std::cos(elevation) * (std::sin(azimuth) * right + std::cos(azimuth) * front) + std::sin(elevation) * up_world;
     scene::Camera camera = scene::fit_camera(scene::world_bounds(scene), aspect, back, up_world);
     if (std::abs(angles[1]) == 90.0) {
         camera.up_world = angles[1] > 0.0 ? -front : front;

@@ -6,9 +6,9 @@ namespace bruma {
 
 /// A picture in memory: linear Rec.709 radiance and opacity, float RGBA, top row first, premultiplied by opacity.
 struct Image {
-    int width = 0;             ///< pixels
-    int height = 0;            ///< pixels
-    std::vector<float> rgba;   ///< 4 * width * height
+    int width = 0;            ///< pixels
+    int height = 0;           ///< pixels
+    std::vector<float> rgba;  ///< 4 * width * height
 
     Image() = default;
     Image(int w, int h) : width(w), height(h), rgba(std::size_t(4) * w * h, 0.0F) {}

@@ -20,9 +20,12 @@ Log& the_log() {
 
 const char* prefix(LogLevel level) {
     switch (level) {
-        case LogLevel::warning: return "warning: ";
-        case LogLevel::error: return "error: ";
-        default: return "";
+        case LogLevel::warning:
+            return "warning: ";
+        case LogLevel::error:
+            return "error: ";
+        default:
+            return "";
     }
 }
 

@@ -21,9 +21,9 @@ class Context {
 /// What the driver says of itself.
 struct DriverInfo {
     std::string vendor, renderer, version;
-    int largest_3d_texture = 0;   ///< samples along an edge
-    int largest_2d_texture = 0;   ///< pixels along an edge
-    bool software = false;        ///< drawn by the CPU (llvmpipe, softpipe)
+    int largest_3d_texture = 0;  ///< samples along an edge
+    int largest_2d_texture = 0;  ///< pixels along an edge
+    bool software = false;       ///< drawn by the CPU (llvmpipe, softpipe)
 };
 DriverInfo driver_info();
 

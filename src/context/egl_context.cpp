@@ -38,9 +38,15 @@ std::unique_ptr<Context> try_display(EGLDisplay display, const std::string& way,
         return give_up("no display");
     }
     eglBindAPI(EGL_OPENGL_API);
-    const std::array<EGLint, 9> wanted{EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
-                                       EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                       EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE, EGL_NONE};
+    const std::array<EGLint, 9> wanted{EGL_CONTEXT_MAJOR_VERSION,
+                                       4,
+                                       EGL_CONTEXT_MINOR_VERSION,
+                                       5,
+                                       EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                       EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                       EGL_CONTEXT_OPENGL_DEBUG,
+                                       EGL_TRUE,
+                                       EGL_NONE};
     const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted.data());
     if (context == EGL_NO_CONTEXT) {
         eglTerminate(display);
@@ -87,6 +93,8 @@ std::unique_ptr<Context> open_offscreen(Kind kind) {
     return context;
 }
 
-bool offers(Kind kind) { return kind != Kind::osmesa; }
+bool offers(Kind kind) {
+    return kind != Kind::osmesa;
+}
 
 }  // namespace bruma::context

@@ -50,9 +50,10 @@ void load_entry_points() {
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);
     if (major * 10 + minor < 45) {
-        throw MachineError(fmt::format("OpenGL {}.{} ({}) is here, but 4.5 is needed; a newer driver or Debian's "
-                                       "libgl1-mesa-dri (software) has it",
-                                       major, minor, gl_string(GL_RENDERER)));
+        throw MachineError(
+            fmt::format("OpenGL {}.{} ({}) is here, but 4.5 is needed; a newer driver or Debian's "
+                        "libgl1-mesa-dri (software) has it",
+                        major, minor, gl_string(GL_RENDERER)));
     }
     if (!glCreateTextures || !glDispatchCompute || !glClipControl || !glTextureStorage3D || !glBindImageTexture ||
         !glMemoryBarrier || !glCreateQueries || !glDebugMessageCallback || !glObjectLabel) {
@@ -70,11 +71,13 @@ DriverInfo driver_info() {
     DriverInfo info{gl_string(GL_VENDOR), gl_string(GL_RENDERER), gl_string(GL_VERSION)};
     glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &info.largest_3d_texture);
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &info.largest_2d_texture);
-    info.software = info.renderer.find("llvmpipe") != std::string::npos ||
-                    info.renderer.find("softpipe") != std::string::npos;
+    info.software =
+        info.renderer.find("llvmpipe") != std::string::npos || info.renderer.find("softpipe") != std::string::npos;
     return info;
 }
 
-int driver_error_count() { return error_messages; }
+int driver_error_count() {
+    return error_messages;
+}
 
 }  // namespace bruma::context

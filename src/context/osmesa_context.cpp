@@ -21,9 +21,21 @@ namespace {
 class OsmesaContext final : public Context {
   public:
     OsmesaContext() {
-        const std::array<int, 15> wanted{OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_STENCIL_BITS, 8,
-                                         OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 4,
-                                         OSMESA_CONTEXT_MINOR_VERSION, 5, 0, 0, 0};
+        const std::array<int, 15> wanted{OSMESA_FORMAT,
+                                         OSMESA_RGBA,
+                                         OSMESA_DEPTH_BITS,
+                                         24,
+                                         OSMESA_STENCIL_BITS,
+                                         8,
+                                         OSMESA_PROFILE,
+                                         OSMESA_CORE_PROFILE,
+                                         OSMESA_CONTEXT_MAJOR_VERSION,
+                                         4,
+                                         OSMESA_CONTEXT_MINOR_VERSION,
+                                         5,
+                                         0,
+                                         0,
+                                         0};
         context_ = OSMesaCreateContextAttribs(wanted.data(), nullptr);
         if (!context_) {
             throw MachineError("OSMesa gives no OpenGL 4.5 core context; Debian's libosmesa6 22.3 does");
@@ -56,6 +68,8 @@ std::unique_ptr<Context> open_offscreen(Kind kind) {
     return context;
 }
 
-bool offers(Kind kind) { return kind != Kind::egl; }
+bool offers(Kind kind) {
+    return kind != Kind::egl;
+}
 
 }  // namespace bruma::context

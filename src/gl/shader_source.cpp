@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <regex>
 #include <sstream>
 
 #include "base/error.h"
@@ -41,8 +40,8 @@ void append_file(ShaderSource& source, const std::filesystem::path& root, const 
         const std::size_t open = line.find('"');
         const std::size_t close = line.rfind('"');
         if (open == std::string::npos || close <= open) {
-            throw InputError(fmt::format("{}:{}: #include wants a path in double quotes", (root / file).string(),
-                                         number));
+            throw InputError(
+                fmt::format("{}:{}: #include wants a path in double quotes", (root / file).string(), number));
         }
         const std::filesystem::path wanted = line.substr(open + 1, close - open - 1);
         if (std::find(source.files.begin(), source.files.end(), root / wanted) == source.files.end()) {
@@ -63,17 +62,32 @@ ShaderSource read_shader(const std::filesystem::path& root, const std::string& f
     return source;
 }
 
+namespace {
+
+/// Reads a whole number at `at` and moves past it; -1 when there is none.
+long read_number(const std::string& text, std::size_t& at) {
+    long number = -1;
+    for (; at < text.size() && text[at] >= '0' && text[at] <= '9' && number < 1'000'000; ++at) {
+        number = std::max(number, 0L) * 10 + (text[at] - '0');
+    }
+    return number;
+}
+
+}  // namespace
+
 std::string map_compile_log(const std::string& log, const std::vector<std::filesystem::path>& files) {
-    // Mesa writes "2:14(5): error", NVIDIA "2(14) : error": source number first, then the line.
-    static const std::regex place(R"(^(\d+)[:(](\d+)\)?)");
     std::istringstream in(log);
     std::string out, line;
     while (std::getline(in, line)) {
-        std::smatch match;
-        if (std::regex_search(line, match, place)) {
-            const std::size_t index = std::stoul(match[1]);
-            if (index < files.size()) {
-                line = fmt::format("{}:{}{}", files[index].string(), match[2].str(), match.suffix().str());
+        // Mesa writes "2:14(5): error", NVIDIA "2(14) : error": source number first, then the line.
+        std::size_t at = 0;
+        const long source = read_number(line, at);
+        if (source >= 0 && source < long(files.size()) && at < line.size() && (line[at] == ':' || line[at] == '(')) {
+            const bool in_brackets = line[at++] == '(';
+            const long number = read_number(line, at);
+            if (number >= 0) {
+                at += in_brackets && at < line.size() && line[at] == ')' ? 1 : 0;
+                line = fmt::format("{}:{}{}", files[std::size_t(source)].string(), number, line.substr(at));
             }
         }
         out += line + "\n";

@@ -22,15 +22,21 @@ Texture::Texture(GLenum target, std::string_view label, GLenum format, glm::ivec
     while (glGetError() != GL_NO_ERROR) {
     }
     switch (target) {
-        case GL_TEXTURE_1D: glTextureStorage1D(name(), 1, format, size.x); break;
-        case GL_TEXTURE_2D: glTextureStorage2D(name(), 1, format, size.x, size.y); break;
-        default: glTextureStorage3D(name(), 1, format, size.x, size.y, size.z); break;
+        case GL_TEXTURE_1D:
+            glTextureStorage1D(name(), 1, format, size.x);
+            break;
+        case GL_TEXTURE_2D:
+            glTextureStorage2D(name(), 1, format, size.x, size.y);
+            break;
+        default:
+            glTextureStorage3D(name(), 1, format, size.x, size.y, size.z);
+            break;
     }
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-        throw MachineError(fmt::format("no room for the texture '{}' of {} x {} x {} ({}); a smaller picture or volume "
-                                       "may fit",
-                                       label, size.x, size.y, size.z,
-                                       error == GL_OUT_OF_MEMORY ? "out of memory" : "refused by the driver"));
+        throw MachineError(fmt::format(
+            "no room for the texture '{}' of {} x {} x {} ({}); a smaller picture or volume "
+            "may fit",
+            label, size.x, size.y, size.z, error == GL_OUT_OF_MEMORY ? "out of memory" : "refused by the driver"));
     }
     glTextureParameteri(name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTextureParameteri(name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -52,11 +58,15 @@ Texture Texture::make_3d(std::string_view label, GLenum format, glm::ivec3 size)
 void Texture::upload(PixelFormat pixels, const void* data) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     switch (target_) {
-        case GL_TEXTURE_1D: glTextureSubImage1D(name(), 0, 0, size_.x, pixels.channels, pixels.type, data); break;
+        case GL_TEXTURE_1D:
+            glTextureSubImage1D(name(), 0, 0, size_.x, pixels.channels, pixels.type, data);
+            break;
         case GL_TEXTURE_2D:
             glTextureSubImage2D(name(), 0, 0, 0, size_.x, size_.y, pixels.channels, pixels.type, data);
             break;
-        default: upload_slices(0, size_.z, pixels, data); break;
+        default:
+            upload_slices(0, size_.z, pixels, data);
+            break;
     }
 }
 

@@ -224,8 +224,8 @@ std::string svg_of(const BarPlot& plot) {
         at += row;
     }
     text += fmt::format("<path class=\"b\" d=\"M{} 4V{:.1f}\"/>", names, at + 2.0);
-    text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", 0.5 * (names + width - numbers),
-                        at + 22.0, html_text(plot.x_label));
+    text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n",
+                        0.5 * (names + width - numbers), at + 22.0, html_text(plot.x_label));
     return text + "</svg>\n";
 }
 

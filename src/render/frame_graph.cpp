@@ -15,7 +15,9 @@ bool contains(const std::vector<int>& list, int value) {
 
 }  // namespace
 
-void PassAccess::note(std::string words) const { graph_.passes_[std::size_t(pass_)].note = std::move(words); }
+void PassAccess::note(std::string words) const {
+    graph_.passes_[std::size_t(pass_)].note = std::move(words);
+}
 
 int FrameGraph::add_resource(std::string name) {
     resources_.push_back({std::move(name), 0, -1, nullptr, nullptr});
@@ -150,8 +152,8 @@ const RunReport& FrameGraph::run(const std::vector<int>& wanted, const Stopwatch
             execute(index, reason, stopwatch);
         } else {
             const Node& node = passes_[std::size_t(index)];
-            report_.push_back({node.pass.name, node.pass.sentence, false, "nothing it reads is newer", 0.0, -1.0,
-                               node.note});
+            report_.push_back(
+                {node.pass.name, node.pass.sentence, false, "nothing it reads is newer", 0.0, -1.0, node.note});
         }
     }
     for (std::size_t index = 0; index < passes_.size(); ++index) {

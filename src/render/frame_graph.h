@@ -46,9 +46,9 @@ struct PassReport {
     std::string name;
     std::string sentence;
     bool ran = false;
-    std::string reason;      ///< "camera is newer", "nothing it reads is newer", "nothing needs it"
-    double cpu_ms = 0.0;     ///< 0 when it did not run
-    double gpu_ms = -1.0;    ///< negative: not measured
+    std::string reason;    ///< "camera is newer", "nothing it reads is newer", "nothing needs it"
+    double cpu_ms = 0.0;   ///< 0 when it did not run
+    double gpu_ms = -1.0;  ///< negative: not measured
     std::string note;
 };
 using RunReport = std::vector<PassReport>;

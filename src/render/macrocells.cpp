@@ -103,11 +103,12 @@ Emptiness find_emptiness(const CellRanges& ranges, const TransferTables& tables,
     result.cells = ranges.cells;
     result.distance.resize(ranges.smallest.size());
     std::size_t occupied = 0;
-    // What float rounding may move a value by, in table entries: it is relative to the largest number that occurs, be it
-    // a value or the window's end that is taken from it.
+    // What float rounding may move a value by, in table entries: it is relative to the largest number that occurs, be
+    // it a value or the window's end that is taken from it.
     double magnitude = 0.0;
     for (std::size_t cell = 0; cell < ranges.smallest.size(); ++cell) {
-        magnitude = std::max({magnitude, std::abs(double(ranges.smallest[cell])), std::abs(double(ranges.largest[cell]))});
+        magnitude =
+            std::max({magnitude, std::abs(double(ranges.smallest[cell])), std::abs(double(ranges.largest[cell]))});
     }
     const double largest_term = magnitude * std::abs(u_of_value.x) + std::abs(u_of_value.y);
     const double room =

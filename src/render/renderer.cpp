@@ -15,8 +15,7 @@ double Renderer::step_world(const scene::Scene& scene) {
         const auto& volume = std::get<scene::Volume>(scene.nodes.at(name).content);
         const glm::dmat4 world_from_texture = scene::world_from_texture(scene, name);
         for (int k = 0; k < 3; ++k) {
-            smallest = std::min(smallest,
-                                glm::length(glm::dvec3(world_from_texture[k])) / (*volume.grid)->size[k]);
+            smallest = std::min(smallest, glm::length(glm::dvec3(world_from_texture[k])) / (*volume.grid)->size[k]);
             longest = std::max(longest, glm::length(glm::dvec3(world_from_texture[k])));
         }
     }
@@ -64,7 +63,9 @@ const RunReport& Renderer::render(const scene::Scene& scene, const View& view, b
     return graph_.run({march_.picture.index}, stopwatch);
 }
 
-const Picture& Renderer::picture() const { return *graph_.product(march_.picture); }
+const Picture& Renderer::picture() const {
+    return *graph_.product(march_.picture);
+}
 
 Image Renderer::read_picture() const {
     const gl::Texture& color = picture().color;

@@ -11,13 +11,13 @@ namespace {
 /// A stretch of the ray under the operator 'over': light that leaves it and what it does to light behind.
 struct Layer {
     glm::dvec3 radiance{0.0};
-    double opacity = 0.0;        ///< 1 - transmittance, kept apart so that thin layers keep their digits
+    double opacity = 0.0;  ///< 1 - transmittance, kept apart so that thin layers keep their digits
     double transmittance = 1.0;
 };
 
 Layer over(const Layer& front, const Layer& back) {
-    return {front.radiance + front.transmittance * back.radiance,
-            front.opacity + front.transmittance * back.opacity, front.transmittance * back.transmittance};
+    return {front.radiance + front.transmittance * back.radiance, front.opacity + front.transmittance * back.opacity,
+            front.transmittance * back.transmittance};
 }
 
 /// Products of every window of `width` consecutive layers, in order, by a queue of two stacks: the back stack keeps one
@@ -25,10 +25,10 @@ Layer over(const Layer& front, const Layer& back) {
 template <class Emit>
 void windows(const std::vector<Layer>& layers, int width, std::vector<Layer>& suffixes, const Emit& emit) {
     const int count = int(layers.size());
-    Layer running;       // product of layers pushed since the last turn-over
+    Layer running;  // product of layers pushed since the last turn-over
     int running_first = 0;
     int suffix_first = 0;
-    suffixes.clear();    // suffixes[i]: product from the i-th of them to running_first - 1, last one nearest
+    suffixes.clear();  // suffixes[i]: product from the i-th of them to running_first - 1, last one nearest
     for (int next = 0; next < count; ++next) {
         running = over(running, layers[std::size_t(next)]);
         const int first = next - width + 1;
@@ -63,8 +63,7 @@ glm::vec4 mean_source(const Layer& layer, glm::dvec3 if_empty) {
 }  // namespace
 
 std::vector<glm::vec4> preintegrate_source(const std::vector<double>& sigma, const std::vector<glm::dvec3>& source,
-                                           const std::vector<glm::dvec3>& source_at_entries,
-                                           double tau_of_full_step) {
+                                           const std::vector<glm::dvec3>& source_at_entries, double tau_of_full_step) {
     const int bins = int(sigma.size());
     const int entries = bins + 1;
     std::vector<glm::vec4> table(std::size_t(entries) * entries);

@@ -30,9 +30,10 @@ void check_edges(const scene::VolumeGrid& grid) {
     GLint most = 0;
     glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &most);
     if (std::max({grid.size.x, grid.size.y, grid.size.z}) > most) {
-        throw InputError(fmt::format("{}: {} x {} x {} samples, but this driver takes at most {} along an edge; "
-                                     "cut or thin out the volume",
-                                     grid.name, grid.size.x, grid.size.y, grid.size.z, most));
+        throw InputError(
+            fmt::format("{}: {} x {} x {} samples, but this driver takes at most {} along an edge; "
+                        "cut or thin out the volume",
+                        grid.name, grid.size.x, grid.size.y, grid.size.z, most));
     }
 }
 
@@ -148,8 +149,8 @@ glm::dvec3 doubled_differences(const T* samples, glm::ivec3 size, int x, int y, 
         }
         const bool first = at[k] == 0;
         const bool last = at[k] == size[k] - 1;
-        const double difference = double(last ? *here : *(here + strides[k])) -
-                                  double(first ? *here : *(here - strides[k]));
+        const double difference =
+            double(last ? *here : *(here + strides[k])) - double(first ? *here : *(here - strides[k]));
         result[k] = first || last ? 2.0 * difference : difference;
     }
     return result;
@@ -168,7 +169,8 @@ GradientTexture make_gradient_texture(const scene::VolumeGrid& grid) {
         result.difference_per_texel = 1023.0 / 2.0;
         scene::visit_voxels(grid, [&](auto samples) {
             upload_in_batches<std::uint32_t>(
-                result.texture, grid.size, {GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV}, 1, [&](int z, std::uint32_t* out) {
+                result.texture, grid.size, {GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV}, 1,
+                [&](int z, std::uint32_t* out) {
                     for (int y = 0; y < grid.size.y; ++y) {
                         for (int x = 0; x < grid.size.x; ++x) {
                             const glm::ivec3 d(doubled_differences(samples.data(), grid.size, x, y, z) + 511.0);

@@ -18,7 +18,7 @@ VolumeTexture make_volume_texture(const scene::VolumeGrid& grid);
 /// that filtering them linearly gives central differences of the filtered data exactly.
 struct GradientTexture {
     gl::Texture texture;
-    double texel_of_zero = 0.0;     ///< texel that stands for no difference
+    double texel_of_zero = 0.0;         ///< texel that stands for no difference
     double difference_per_texel = 1.0;  ///< difference per voxel, in data values, of a texel of 1 above it
 };
 GradientTexture make_gradient_texture(const scene::VolumeGrid& grid);

@@ -45,7 +45,7 @@ struct Ray {
 Ray camera_ray(const Camera& camera, double x, double y, int width, int height);
 
 template <class Self, class Visitor>
-    requires std::same_as<std::remove_const_t<Self>, Camera>
+requires std::same_as<std::remove_const_t<Self>, Camera>
 void visit_fields(Self& camera, Visitor&& visit) {
     visit(Field{.name = "projection", .sentence = "how space is laid onto the picture"}, camera.projection);
     visit(Field{.name = "eye", .unit = "m", .sentence = "where the camera stands, in world space"}, camera.eye_world);

@@ -14,12 +14,12 @@
 namespace bruma::scene {
 
 struct Field {
-    std::string_view name = {};      ///< key in scene files and last word of a --set path
-    std::string_view unit = {};      ///< SI unit as shown to people; empty for pure numbers
-    std::string_view sentence = {};  ///< what it does, one sentence, for help and tooltips
+    std::string_view name = {};                             ///< key in scene files and last word of a --set path
+    std::string_view unit = {};                             ///< SI unit as shown to people; empty for pure numbers
+    std::string_view sentence = {};                         ///< what it does, one sentence, for help and tooltips
     double min = -std::numeric_limits<double>::infinity();  ///< smallest value accepted
     double max = std::numeric_limits<double>::infinity();   ///< largest value accepted
-    double panel_min = 0.0;  ///< slider range in panels; equal ends mean a drag field
+    double panel_min = 0.0;                                 ///< slider range in panels; equal ends mean a drag field
     double panel_max = 0.0;
     bool logarithmic = false;  ///< slider moves in equal ratios
     bool is_color = false;     ///< three numbers are linear Rec.709 red, green, blue

@@ -26,7 +26,7 @@ struct Light {
 };
 
 template <class Self, class Visitor>
-    requires std::same_as<std::remove_const_t<Self>, Light>
+requires std::same_as<std::remove_const_t<Self>, Light>
 void visit_fields(Self& light, Visitor&& visit) {
     visit(Field{.name = "kind", .sentence = "headlight: shines along the view; directional: from far away; point"},
           light.kind);

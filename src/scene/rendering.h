@@ -25,7 +25,7 @@ inline std::span<const std::string_view> enum_words<Jitter>() {
 struct RenderSettings {
     Classification classification = Classification::preintegrated;
     double step = 1.0;  ///< length of a segment of the march, in voxels (smallest spacing in world space)
-    bool empty_space_skipping = true;      ///< changes no bit of the picture
+    bool empty_space_skipping = true;  ///< changes no bit of the picture
     bool early_termination = true;
     double stop_transmittance = 1.0 / 1024.0;  ///< rays end below this; error at most this times the largest radiance
     Jitter jitter = Jitter::off;
@@ -33,20 +33,30 @@ struct RenderSettings {
 };
 
 template <class Self, class Visitor>
-    requires std::same_as<std::remove_const_t<Self>, RenderSettings>
+requires std::same_as<std::remove_const_t<Self>, RenderSettings>
 void visit_fields(Self& settings, Visitor&& visit) {
     visit(Field{.name = "classification",
                 .sentence = "post: transfer function at points; preintegrated: exactly over each segment"},
           settings.classification);
-    visit(Field{.name = "step", .unit = "voxel", .sentence = "length of a segment of the march", .min = 0.01,
-                .max = 64.0, .panel_min = 0.1, .panel_max = 8.0, .logarithmic = true},
+    visit(Field{.name = "step",
+                .unit = "voxel",
+                .sentence = "length of a segment of the march",
+                .min = 0.01,
+                .max = 64.0,
+                .panel_min = 0.1,
+                .panel_max = 8.0,
+                .logarithmic = true},
           settings.step);
     visit(Field{.name = "empty_space_skipping", .sentence = "leap over what is transparent; changes no bit"},
           settings.empty_space_skipping);
     visit(Field{.name = "early_termination", .sentence = "end rays behind opaque matter"}, settings.early_termination);
     visit(Field{.name = "stop_transmittance",
                 .sentence = "rays end below this transmittance; the error is at most this times the largest radiance",
-                .min = 0.0, .max = 1.0, .panel_min = 1e-5, .panel_max = 0.1, .logarithmic = true},
+                .min = 0.0,
+                .max = 1.0,
+                .panel_min = 1e-5,
+                .panel_max = 0.1,
+                .logarithmic = true},
           settings.stop_transmittance);
     visit(Field{.name = "jitter", .sentence = "shift each ray's first segment to trade bands for grain"},
           settings.jitter);
@@ -60,14 +70,14 @@ struct Background {
 };
 
 template <class Self, class Visitor>
-    requires std::same_as<std::remove_const_t<Self>, Background>
+requires std::same_as<std::remove_const_t<Self>, Background>
 void visit_fields(Self& background, Visitor&& visit) {
-    visit(Field{.name = "top", .sentence = "linear colour at the upper edge", .min = 0.0, .max = 1e6,
-                .is_color = true},
+    visit(Field{.name = "top", .sentence = "linear colour at the upper edge", .min = 0.0, .max = 1e6, .is_color = true},
           background.top);
-    visit(Field{.name = "bottom", .sentence = "linear colour at the lower edge", .min = 0.0, .max = 1e6,
-                .is_color = true},
-          background.bottom);
+    visit(
+        Field{
+            .name = "bottom", .sentence = "linear colour at the lower edge", .min = 0.0, .max = 1e6, .is_color = true},
+        background.bottom);
 }
 
 enum class ToneMap { none, filmic };
@@ -79,17 +89,22 @@ inline std::span<const std::string_view> enum_words<ToneMap>() {
 
 /// From linear radiance to the display, once, in `composite`.
 struct Display {
-    double exposure_ev = 0.0;         ///< radiance is multiplied by 2^exposure
+    double exposure_ev = 0.0;  ///< radiance is multiplied by 2^exposure
     ToneMap tone_map = ToneMap::none;
-    bool dither = true;               ///< half a step of 8-bit noise against bands
+    bool dither = true;  ///< half a step of 8-bit noise against bands
     bool operator==(const Display&) const = default;
 };
 
 template <class Self, class Visitor>
-    requires std::same_as<std::remove_const_t<Self>, Display>
+requires std::same_as<std::remove_const_t<Self>, Display>
 void visit_fields(Self& display, Visitor&& visit) {
-    visit(Field{.name = "exposure", .unit = "EV", .sentence = "radiance is multiplied by 2 to this power",
-                .min = -32.0, .max = 32.0, .panel_min = -6.0, .panel_max = 6.0},
+    visit(Field{.name = "exposure",
+                .unit = "EV",
+                .sentence = "radiance is multiplied by 2 to this power",
+                .min = -32.0,
+                .max = 32.0,
+                .panel_min = -6.0,
+                .panel_max = 6.0},
           display.exposure_ev);
     visit(Field{.name = "tone_map", .sentence = "none: clip at 1; filmic: bend highlights softly"}, display.tone_map);
     visit(Field{.name = "dither", .sentence = "hide 8-bit bands under half a step of noise"}, display.dither);

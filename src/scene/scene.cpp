@@ -12,7 +12,9 @@
 namespace bruma::scene {
 namespace {
 
-bool all_finite(glm::dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool all_finite(glm::dvec3 v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 void check_parents(const Scene& scene) {
     std::vector<std::string> known;
@@ -28,9 +30,9 @@ void check_parents(const Scene& scene) {
                                              suggestion(at->parent, known)));
             }
             if (!seen.insert(at->parent).second) {
-                throw InputError(fmt::format(
-                    "nodes.{}: its parents form a circle through '{}'; let one of them have no parent", name,
-                    at->parent));
+                throw InputError(
+                    fmt::format("nodes.{}: its parents form a circle through '{}'; let one of them have no parent",
+                                name, at->parent));
             }
             at = &parent->second;
         }
@@ -48,8 +50,8 @@ void check_volume(const std::string& name, const Volume& volume) {
     }
     const TransferFunction& tf = *volume.transfer_function;
     if (tf.domain[0] == tf.domain[1]) {
-        throw InputError(fmt::format("nodes.{}.transfer_function.domain: both ends are {}; give it some width", name,
-                                     tf.domain[0]));
+        throw InputError(
+            fmt::format("nodes.{}.transfer_function.domain: both ends are {}; give it some width", name, tf.domain[0]));
     }
     const VolumeOptics& optics = *volume.optics;
     if (optics.gradient_soft_from > optics.gradient_soft_to) {
@@ -82,8 +84,7 @@ glm::dmat4 world_from_model(const Scene& scene, const std::string& node_name) {
 glm::dmat4 world_from_texture(const Scene& scene, const std::string& node_name) {
     const auto& volume = std::get<Volume>(scene.nodes.at(node_name).content);
     const glm::dvec3 extent = (*volume.grid)->extent();
-    const glm::dmat4 model_from_texture =
-        glm::scale(glm::translate(glm::dmat4(1.0), -0.5 * extent), extent);
+    const glm::dmat4 model_from_texture = glm::scale(glm::translate(glm::dmat4(1.0), -0.5 * extent), extent);
     return world_from_model(scene, node_name) * model_from_texture;
 }
 
@@ -102,11 +103,11 @@ void check(const Scene& scene) {
     check_parents(scene);
     for (const auto& [name, node] : scene.nodes) {
         const Transform& transform = *node.transform;
-        if (!all_finite(transform.translation) || !all_finite(transform.rotation_deg) ||
-            !all_finite(transform.scale) || transform.scale.x * transform.scale.y * transform.scale.z == 0.0) {
-            throw InputError(fmt::format(
-                "nodes.{}: scale ({}, {}, {}) cannot be undone; every part must be finite and not 0", name,
-                transform.scale.x, transform.scale.y, transform.scale.z));
+        if (!all_finite(transform.translation) || !all_finite(transform.rotation_deg) || !all_finite(transform.scale) ||
+            transform.scale.x * transform.scale.y * transform.scale.z == 0.0) {
+            throw InputError(
+                fmt::format("nodes.{}: scale ({}, {}, {}) cannot be undone; every part must be finite and not 0", name,
+                            transform.scale.x, transform.scale.y, transform.scale.z));
         }
         if (const auto* volume = std::get_if<Volume>(&node.content)) {
             check_volume(name, *volume);
@@ -114,8 +115,8 @@ void check(const Scene& scene) {
     }
     for (const auto& [name, light] : scene.lights) {
         if (light->kind == LightKind::directional && !(glm::length(light->direction_world) > 0.0)) {
-            throw InputError(fmt::format("lights.{}.direction: (0, 0, 0) points nowhere; give the way to the light",
-                                         name));
+            throw InputError(
+                fmt::format("lights.{}.direction: (0, 0, 0) points nowhere; give the way to the light", name));
         }
     }
     if (scene.camera) {

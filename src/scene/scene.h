@@ -23,11 +23,14 @@ struct Transform {
 glm::dmat4 parent_from_model(const Transform& transform);
 
 template <class Self, class Visitor>
-    requires std::same_as<std::remove_const_t<Self>, Transform>
+requires std::same_as<std::remove_const_t<Self>, Transform>
 void visit_fields(Self& transform, Visitor&& visit) {
     visit(Field{.name = "translation", .unit = "m", .sentence = "where its origin stands in the parent's space"},
           transform.translation);
-    visit(Field{.name = "rotation", .unit = "deg", .sentence = "about x, then y, then z", .panel_min = -180.0,
+    visit(Field{.name = "rotation",
+                .unit = "deg",
+                .sentence = "about x, then y, then z",
+                .panel_min = -180.0,
                 .panel_max = 180.0},
           transform.rotation_deg);
     visit(Field{.name = "scale", .sentence = "along each of its own axes; not 0", .min = -1e9, .max = 1e9},

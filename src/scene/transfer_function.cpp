@@ -39,18 +39,21 @@ double position_of_u(const TransferFunction& tf, double u) {
 }
 
 double opacity_at(const TransferFunction& tf, double u) {
-    return interpolate(tf.opacity, position_of_u(tf, std::clamp(u, 0.0, 1.0)),
-                       [](const OpacityPoint& point) { return point.opacity; }, 0.0);
+    return interpolate(
+        tf.opacity, position_of_u(tf, std::clamp(u, 0.0, 1.0)), [](const OpacityPoint& point) { return point.opacity; },
+        0.0);
 }
 
 glm::dvec3 color_at(const TransferFunction& tf, double u) {
-    return interpolate(tf.color, position_of_u(tf, std::clamp(u, 0.0, 1.0)),
-                       [](const ColorPoint& point) { return point.color; }, glm::dvec3(1.0));
+    return interpolate(
+        tf.color, position_of_u(tf, std::clamp(u, 0.0, 1.0)), [](const ColorPoint& point) { return point.color; },
+        glm::dvec3(1.0));
 }
 
 double emission_at(const TransferFunction& tf, double u) {
-    return interpolate(tf.emission, position_of_u(tf, std::clamp(u, 0.0, 1.0)),
-                       [](const EmissionPoint& point) { return point.emission; }, 0.0);
+    return interpolate(
+        tf.emission, position_of_u(tf, std::clamp(u, 0.0, 1.0)),
+        [](const EmissionPoint& point) { return point.emission; }, 0.0);
 }
 
 double extinction_of_opacity(double opacity, double reference_length) {

@@ -14,8 +14,8 @@ struct OpacityPoint {
     bool operator==(const OpacityPoint&) const = default;
 };
 struct ColorPoint {
-    double position;  ///< in the transfer function's domain
-    glm::dvec3 color; ///< linear Rec.709
+    double position;   ///< in the transfer function's domain
+    glm::dvec3 color;  ///< linear Rec.709
     bool operator==(const ColorPoint&) const = default;
 };
 struct EmissionPoint {
@@ -59,7 +59,7 @@ double position_of_u(const TransferFunction& tf, double u);
 void normalise(TransferFunction& tf);
 
 template <class Self, class Visitor>
-    requires std::same_as<std::remove_const_t<Self>, TransferFunction>
+requires std::same_as<std::remove_const_t<Self>, TransferFunction>
 void visit_fields(Self& tf, Visitor&& visit) {
     visit(Field{.name = "domain", .sentence = "the two positions that the ends of the window map to"}, tf.domain);
     visit(Field{.name = "window",

@@ -28,7 +28,7 @@ struct VolumeSource {
 };
 
 template <class Self, class Visitor>
-    requires std::same_as<std::remove_const_t<Self>, VolumeSource>
+requires std::same_as<std::remove_const_t<Self>, VolumeSource>
 void visit_fields(Self& source, Visitor&& visit) {
     visit(Field{.name = "file", .sentence = "path of the samples, relative to the scene file, or builtin:NAME"},
           source.file);
@@ -61,19 +61,19 @@ inline std::span<const std::string_view> enum_words<Highlight>() {
 struct VolumeOptics {
     VolumeLighting lighting = VolumeLighting::none;
     Highlight highlight = Highlight::blinn_phong;
-    double density_scale = 1.0;     ///< multiplies the extinction
-    double ambient = 0.15;          ///< share of the colour seen without light
-    double diffuse = 0.85;          ///< share of the colour under a light of unit irradiance at normal incidence
-    double specular = 0.2;          ///< strength of the highlight, in the light's colour
-    double shininess = 30.0;        ///< exponent of the highlight
-    bool two_sided = true;          ///< light both sides of thin sheets: |n.l| instead of max(n.l, 0)
+    double density_scale = 1.0;         ///< multiplies the extinction
+    double ambient = 0.15;              ///< share of the colour seen without light
+    double diffuse = 0.85;              ///< share of the colour under a light of unit irradiance at normal incidence
+    double specular = 0.2;              ///< strength of the highlight, in the light's colour
+    double shininess = 30.0;            ///< exponent of the highlight
+    bool two_sided = true;              ///< light both sides of thin sheets: |n.l| instead of max(n.l, 0)
     double gradient_soft_from = 0.002;  ///< gradients below this are unshaded, as a share of the data range per voxel
     double gradient_soft_to = 0.02;     ///< gradients above this are fully shaded; smooth in between
     bool operator==(const VolumeOptics&) const = default;
 };
 
 template <class Self, class Visitor>
-    requires std::same_as<std::remove_const_t<Self>, VolumeOptics>
+requires std::same_as<std::remove_const_t<Self>, VolumeOptics>
 void visit_fields(Self& optics, Visitor&& visit) {
     visit(Field{.name = "lighting", .sentence = "none: colour as it is; gradient: surfaces lit by their normals"},
           optics.lighting);
@@ -86,26 +86,40 @@ void visit_fields(Self& optics, Visitor&& visit) {
                 .panel_max = 100.0,
                 .logarithmic = true},
           optics.density_scale);
-    visit(Field{.name = "ambient", .sentence = "share of the colour seen without light", .min = 0.0, .max = 10.0,
+    visit(Field{.name = "ambient",
+                .sentence = "share of the colour seen without light",
+                .min = 0.0,
+                .max = 10.0,
                 .panel_max = 1.0},
           optics.ambient);
-    visit(Field{.name = "diffuse", .sentence = "share of the colour under full light", .min = 0.0, .max = 10.0,
+    visit(Field{.name = "diffuse",
+                .sentence = "share of the colour under full light",
+                .min = 0.0,
+                .max = 10.0,
                 .panel_max = 1.0},
           optics.diffuse);
-    visit(Field{.name = "specular", .sentence = "strength of the highlight", .min = 0.0, .max = 10.0,
-                .panel_max = 1.0},
+    visit(Field{.name = "specular", .sentence = "strength of the highlight", .min = 0.0, .max = 10.0, .panel_max = 1.0},
           optics.specular);
-    visit(Field{.name = "shininess", .sentence = "exponent of the highlight: larger is smaller and sharper",
-                .min = 1.0, .max = 1000.0, .panel_min = 1.0, .panel_max = 200.0, .logarithmic = true},
+    visit(Field{.name = "shininess",
+                .sentence = "exponent of the highlight: larger is smaller and sharper",
+                .min = 1.0,
+                .max = 1000.0,
+                .panel_min = 1.0,
+                .panel_max = 200.0,
+                .logarithmic = true},
           optics.shininess);
     visit(Field{.name = "two_sided", .sentence = "light both sides of thin sheets"}, optics.two_sided);
     visit(Field{.name = "gradient_soft_from",
                 .sentence = "gradients below this share of the data range per voxel are left unshaded",
-                .min = 0.0, .max = 1.0, .panel_max = 0.1},
+                .min = 0.0,
+                .max = 1.0,
+                .panel_max = 0.1},
           optics.gradient_soft_from);
     visit(Field{.name = "gradient_soft_to",
                 .sentence = "gradients above this share of the data range per voxel are fully shaded",
-                .min = 0.0, .max = 1.0, .panel_max = 0.2},
+                .min = 0.0,
+                .max = 1.0,
+                .panel_max = 0.2},
           optics.gradient_soft_to);
 }
 
@@ -116,13 +130,19 @@ struct ClipBox {
 };
 
 template <class Self, class Visitor>
-    requires std::same_as<std::remove_const_t<Self>, ClipBox>
+requires std::same_as<std::remove_const_t<Self>, ClipBox>
 void visit_fields(Self& clip, Visitor&& visit) {
-    visit(Field{.name = "low", .sentence = "lower corner of the shown part, 0..1 along each axis", .min = 0.0,
-                .max = 1.0, .panel_max = 1.0},
+    visit(Field{.name = "low",
+                .sentence = "lower corner of the shown part, 0..1 along each axis",
+                .min = 0.0,
+                .max = 1.0,
+                .panel_max = 1.0},
           clip.low);
-    visit(Field{.name = "high", .sentence = "upper corner of the shown part, 0..1 along each axis", .min = 0.0,
-                .max = 1.0, .panel_max = 1.0},
+    visit(Field{.name = "high",
+                .sentence = "upper corner of the shown part, 0..1 along each axis",
+                .min = 0.0,
+                .max = 1.0,
+                .panel_max = 1.0},
           clip.high);
 }
 

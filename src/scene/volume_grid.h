@@ -23,9 +23,12 @@ inline std::span<const std::string_view> enum_words<VoxelType>() {
 constexpr std::size_t bytes_per_voxel(VoxelType type) {
     switch (type) {
         case VoxelType::uint16:
-        case VoxelType::int16: return 2;
-        case VoxelType::float32: return 4;
-        default: return 1;
+        case VoxelType::int16:
+            return 2;
+        case VoxelType::float32:
+            return 4;
+        default:
+            return 1;
     }
 }
 
@@ -33,8 +36,8 @@ constexpr std::size_t bytes_per_voxel(VoxelType type) {
 /// ((i + 1/2) / nx, ...); the field fills the box [0,1]^3 and is clamped to its border samples in the outer half voxel.
 /// Never changed once it is shared.
 struct VolumeGrid {
-    std::string name;               ///< file stem or builtin name, for people
-    glm::ivec3 size{0};             ///< samples along x, y, z
+    std::string name;    ///< file stem or builtin name, for people
+    glm::ivec3 size{0};  ///< samples along x, y, z
     VoxelType type = VoxelType::uint8;
     glm::dvec3 spacing{1e-3};       ///< metres between neighbouring samples
     std::vector<std::byte> voxels;  ///< native endian, size.x * size.y * size.z * bytes_per_voxel; all values finite
@@ -55,11 +58,16 @@ decltype(auto) visit_voxels(const VolumeGrid& grid, Use&& use) {
         return std::span<const T>(reinterpret_cast<const T*>(grid.voxels.data()), grid.voxel_count());
     };
     switch (grid.type) {
-        case VoxelType::int8: return use(as(static_cast<const std::int8_t*>(nullptr)));
-        case VoxelType::uint16: return use(as(static_cast<const std::uint16_t*>(nullptr)));
-        case VoxelType::int16: return use(as(static_cast<const std::int16_t*>(nullptr)));
-        case VoxelType::float32: return use(as(static_cast<const float*>(nullptr)));
-        default: return use(as(static_cast<const std::uint8_t*>(nullptr)));
+        case VoxelType::int8:
+            return use(as(static_cast<const std::int8_t*>(nullptr)));
+        case VoxelType::uint16:
+            return use(as(static_cast<const std::uint16_t*>(nullptr)));
+        case VoxelType::int16:
+            return use(as(static_cast<const std::int16_t*>(nullptr)));
+        case VoxelType::float32:
+            return use(as(static_cast<const float*>(nullptr)));
+        default:
+            return use(as(static_cast<const std::uint8_t*>(nullptr)));
     }
 }
 

@@ -18,7 +18,7 @@ namespace bruma::io {
 class TemporaryFolder {
   public:
     TemporaryFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "bruma-test-XXXXXX").string();
+        std::string pattern = (std::filesystem::temp_directory_path() / ("bruma-test-" + std::string(6, 'X'))).string();
         path_ = ::mkdtemp(pattern.data());
     }
     ~TemporaryFolder() {

@@ -13,7 +13,9 @@ TEST(NearestName, FindsATypingSlip) {
     EXPECT_EQ(nearest_name("Ambient", known), "ambient");
 }
 
-TEST(NearestName, FindsNothingForAStranger) { EXPECT_EQ(nearest_name("qqqqqqqq", known), ""); }
+TEST(NearestName, FindsNothingForAStranger) {
+    EXPECT_EQ(nearest_name("qqqqqqqq", known), "");
+}
 
 TEST(NearestName, SuggestionListsWhatIsKnownWhenNothingIsNear) {
     EXPECT_EQ(suggestion("qqqqqqqq", known), "; known are lighting, density_scale, ambient");

@@ -23,8 +23,8 @@ int compare(const CompareArguments& arguments) {
     const Image picture = io::read_picture(arguments.picture);
     const Image truth = io::read_picture(arguments.reference);
     const measure::ImageError error = measure::compare_images(picture, truth);
-    fmt::print("RMSE {:.3e}\nrelative MSE {:.3e}\nlargest {:.3e} at ({}, {})\nPSNR {:.2f} dB\nFLIP {:.4f}\n", error.rmse,
-               error.relative_mse, error.largest, error.worst_pixel.x, error.worst_pixel.y, error.psnr_db,
+    fmt::print("RMSE {:.3e}\nrelative MSE {:.3e}\nlargest {:.3e} at ({}, {})\nPSNR {:.2f} dB\nFLIP {:.4f}\n",
+               error.rmse, error.relative_mse, error.largest, error.worst_pixel.x, error.worst_pixel.y, error.psnr_db,
                error.mean_flip);
     if (error.non_finite > 0) {
         fmt::print("{} pixels are not finite\n", error.non_finite);

@@ -44,8 +44,9 @@ void print_part(const char* title, const std::string& prefix) {
 
 Verb declare_describe_parameters(CLI::App&) {
     return [] {
-        fmt::print("Every parameter of a scene, by the path that --set and scene files use.\n"
-                   "In place of nodes.NAME, 'volume' addresses every volume; in place of lights.NAME, 'light'.\n\n");
+        fmt::print(
+            "Every parameter of a scene, by the path that --set and scene files use.\n"
+            "In place of nodes.NAME, 'volume' addresses every volume; in place of lights.NAME, 'light'.\n\n");
         print_part<scene::Camera>("Camera", "camera.");
         print_part<scene::RenderSettings>("Rendering", "rendering.");
         print_part<scene::Display>("Display", "display.");

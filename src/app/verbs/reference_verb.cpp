@@ -24,8 +24,8 @@ struct ReferenceArguments {
 int reference(const ReferenceArguments& arguments) {
     const glm::ivec2 pixels = arguments.scene.pixels();
     if (io::picture_format(arguments.output) != io::PictureFormat::exr) {
-        throw InputError(fmt::format("-o {}: the reference keeps its precision only in .exr; choose that ending",
-                                     arguments.output));
+        throw InputError(
+            fmt::format("-o {}: the reference keeps its precision only in .exr; choose that ending", arguments.output));
     }
     const scene::Scene scene = open_scene(arguments.scene);
     reference::ReferenceOptions options;
@@ -35,11 +35,11 @@ int reference(const ReferenceArguments& arguments) {
         options.progress = [](double share) { fmt::print(stderr, "\r{:3.0f} %", 100.0 * share); };
     }
     const auto start = std::chrono::steady_clock::now();
-    const reference::ReferenceImage result =
-        reference::render_emission_absorption(scene, pixels.x, pixels.y, options);
+    const reference::ReferenceImage result = reference::render_emission_absorption(scene, pixels.x, pixels.y, options);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     io::write_exr(arguments.output, result.image, {{"error", result.error}});
-    fmt::print(stderr, "{}stated error: at most {:.2g}, RMS {:.2g} (display range 1); {:.1f} M evaluations in {:.1f} s\n",
+    fmt::print(stderr,
+               "{}stated error: at most {:.2g}, RMS {:.2g} (display range 1); {:.1f} M evaluations in {:.1f} s\n",
                talks ? "\r" : "", result.largest_error, result.rms_error, 1e-6 * double(result.evaluations), seconds);
     return int(ExitCode::done);
 }
@@ -49,7 +49,8 @@ int reference(const ReferenceArguments& arguments) {
 Verb declare_reference(CLI::App& app) {
     auto arguments = std::make_shared<ReferenceArguments>();
     arguments->scene.declare(app, true);
-    app.add_option("-o,--output", arguments->output, "picture to write, .exr; its channel 'error' holds the stated error")
+    app.add_option("-o,--output", arguments->output,
+                   "picture to write, .exr; its channel 'error' holds the stated error")
         ->required();
     app.add_option("--tolerance", arguments->tolerance, "error to aim at in each pixel, radiance")
         ->check(CLI::Range(1e-12, 1.0));

@@ -83,7 +83,8 @@ int render(const RenderArguments& arguments, const std::vector<std::string>& com
 Verb declare_render(CLI::App& app, const std::vector<std::string>& command_line) {
     auto arguments = std::make_shared<RenderArguments>();
     arguments->scene.declare(app, true);
-    app.add_option("-o,--output", arguments->output, "picture to write: .png, .hdr or .exr; '-' is PNG on standard output")
+    app.add_option("-o,--output", arguments->output,
+                   "picture to write: .png, .hdr or .exr; '-' is PNG on standard output")
         ->required();
     app.add_option("--context", arguments->context, "auto, egl or osmesa");
     app.add_option("--stats", arguments->stats, "JSON file: what each pass did, samples, time beside brute force");

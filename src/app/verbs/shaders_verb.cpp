@@ -54,8 +54,8 @@ int expand(const std::string& folder) {
         const std::string file = entry.path().filename().string();
         int number = 0;
         for (const gl::Defines& defines : variants_of(file)) {
-            const std::string name = fmt::format("{}_{}{}", entry.path().stem().string(), number++,
-                                                 entry.path().extension().string());
+            const std::string name =
+                fmt::format("{}_{}{}", entry.path().stem().string(), number++, entry.path().extension().string());
             io::write_file_atomically(std::filesystem::path(folder) / name, gl::read_shader(root, file, defines).text);
             ++count;
         }
@@ -68,7 +68,8 @@ int expand(const std::string& folder) {
 
 Verb declare_shaders(CLI::App& app) {
     auto folder = std::make_shared<std::string>();
-    app.add_option("--expand", *folder, "folder to write every shader to, includes and switches in place, for validators")
+    app.add_option("--expand", *folder,
+                   "folder to write every shader to, includes and switches in place, for validators")
         ->required();
     return [folder] { return expand(*folder); };
 }

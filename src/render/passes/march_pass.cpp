@@ -108,8 +108,8 @@ MarchPass::MarchPass(FrameGraph& graph, gl::ShaderLibrary& shaders) : graph_(gra
     shader_revision_ = graph.add_source<int>("shaders");
     picture = graph.add_product<Picture>("picture");
     counts = graph.add_product<SampleCounts>("sample counts");
-    march_ = graph.add_pass({"march", "light along every pixel's ray, through all volumes, over the background", {},
-                             {picture.index}, {}});
+    march_ = graph.add_pass(
+        {"march", "light along every pixel's ray, through all volumes, over the background", {}, {picture.index}, {}});
     count_ = graph.add_pass({"count samples", "the same march, counting what it looks up", {}, {counts.index}, {}});
 }
 
@@ -123,8 +123,13 @@ void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const 
     for (const auto& [name, passes] : volumes) {
         const auto& volume = std::get<scene::Volume>(scene.nodes.at(name).content);
         const scene::VolumeGrid& grid = **volume.grid;
-        VolumeInput input{passes->voxels, passes->gradients, passes->tables, passes->emptiness,
-                          scene::world_from_texture(scene, name), *volume.clip, *volume.optics,
+        VolumeInput input{passes->voxels,
+                          passes->gradients,
+                          passes->tables,
+                          passes->emptiness,
+                          scene::world_from_texture(scene, name),
+                          *volume.clip,
+                          *volume.optics,
                           scene::effective_window(volume),
                           volume.optics->density_scale / volume.transfer_function->reference_length,
                           grid.largest > grid.smallest ? grid.largest - grid.smallest : 1.0};
@@ -156,9 +161,8 @@ gl::Program& MarchPass::program(const PassAccess& access, const Parameters& para
     gl::Defines defines{{"VOLUMES", std::to_string(parameters.volumes.size())}};
     if (parameters.lit) {
         defines["LIT"] = "";
-        const auto points = std::count_if(parameters.lights.begin(), parameters.lights.end(), [](const auto& light) {
-            return light.kind == scene::LightKind::point;
-        });
+        const auto points = std::count_if(parameters.lights.begin(), parameters.lights.end(),
+                                          [](const auto& light) { return light.kind == scene::LightKind::point; });
         defines["POINT_LIGHTS"] = std::to_string(points);
         defines["DIRECTIONAL_LIGHTS"] = std::to_string(std::ptrdiff_t(parameters.lights.size()) - points);
         for (const VolumeInput& input : parameters.volumes) {
@@ -199,19 +203,21 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
     const TableTextures& tables = access.read(input.tables);
     bind("voxels", voxels.texture);
     const double width = input.window[1] - input.window[0];
-    glm::dvec2 u_from_voxel = glm::dvec2(voxels.value_of_one - voxels.value_of_zero,
-                                         voxels.value_of_zero - input.window[0]) / width;
+    glm::dvec2 u_from_voxel =
+        glm::dvec2(voxels.value_of_one - voxels.value_of_zero, voxels.value_of_zero - input.window[0]) / width;
     // A window that is tiny beside the data is a step: it stays one, at its place, where floats end.
-    u_from_voxel *= std::min(1.0, 1e30 / std::max(1e-300, std::max(std::abs(u_from_voxel.x), std::abs(u_from_voxel.y))));
+    u_from_voxel *=
+        std::min(1.0, 1e30 / std::max(1e-300, std::max(std::abs(u_from_voxel.x), std::abs(u_from_voxel.y))));
     if (parameters.settings.classification == scene::Classification::post) {
         bind("optics_table", tables.optics);
         // u to the coordinate of the table, both ways of it affine.
         const double scale = double(depth_entries - 1) / depth_entries;
         const double shift = 0.5 / depth_entries;
-        program.set_at("optics_from_voxel", index, "", glm::vec2(u_from_voxel.x * scale, u_from_voxel.y * scale + shift));
-        program.set_at("optics_visible", index, "",
-                       glm::vec2(tables.tables.lowest_visible * scale + shift,
-                                 tables.tables.highest_visible * scale + shift));
+        program.set_at("optics_from_voxel", index, "",
+                       glm::vec2(u_from_voxel.x * scale, u_from_voxel.y * scale + shift));
+        program.set_at(
+            "optics_visible", index, "",
+            glm::vec2(tables.tables.lowest_visible * scale + shift, tables.tables.highest_visible * scale + shift));
     } else {
         bind("depth_table", tables.depth);
         bind("source_table", tables.source);
@@ -257,9 +263,8 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
         for (int k = 0; k < 3; ++k) {
             scale[k][k] = size[k];
         }
-        const glm::dmat3 world_from_gradient = glm::transpose(linear) * scale *
-                                               (gradients.difference_per_texel *
-                                                smallest_edge / input.data_range);
+        const glm::dmat3 world_from_gradient =
+            glm::transpose(linear) * scale * (gradients.difference_per_texel * smallest_edge / input.data_range);
         program.set_at("world_from_gradient", index, "", glm::mat3(world_from_gradient));
         program.set_at("gradient_zero", index, "", glm::vec3(float(gradients.texel_of_zero)));
     } else if (parameters.lit) {
@@ -289,8 +294,8 @@ void MarchPass::draw(const PassAccess& access, const Parameters& parameters, boo
     shader.set("background_bottom", glm::vec3(background.bottom));
     if (!parameters.volumes.empty()) {
         const bool orthographic = camera.projection == scene::Projection::orthographic;
-        const double half_height = orthographic ? 0.5 * camera.view_height / h
-                                                : std::tan(glm::radians(0.5 * camera.vertical_angle_deg));
+        const double half_height =
+            orthographic ? 0.5 * camera.view_height / h : std::tan(glm::radians(0.5 * camera.vertical_angle_deg));
         shader.set("orthographic", orthographic ? 1 : 0);
         shader.set("half_view", glm::vec2(half_height * pixels.x / pixels.y, half_height));
         shader.set("near_steps", float(camera.near_distance / h));

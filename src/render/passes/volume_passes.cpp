@@ -38,27 +38,41 @@ VolumePasses::VolumePasses(FrameGraph& graph, const std::string& name) : graph_(
     tables = graph.add_product<TableTextures>(name + ": tables");
     emptiness = graph.add_product<EmptinessTexture>(name + ": emptiness");
 
-    upload_ = graph.add_pass({name + ": upload", "puts the samples into a 3-D texture", {grid_.index}, {voxels.index},
+    upload_ = graph.add_pass({name + ": upload",
+                              "puts the samples into a 3-D texture",
+                              {grid_.index},
+                              {voxels.index},
                               [this](const PassAccess& access) {
                                   const auto& grid = access.read(grid_);
                                   access.write(voxels) = make_volume_texture(*grid);
                                   access.note(fmt::format("{} x {} x {}", grid->size.x, grid->size.y, grid->size.z));
                               }});
-    differentiate_ = graph.add_pass({name + ": differentiate", "central differences for lighting", {grid_.index},
-                                     {gradients.index}, [this](const PassAccess& access) {
-                                         access.write(gradients) = make_gradient_texture(*access.read(grid_));
-                                     }});
-    range_ = graph.add_pass({name + ": cell ranges", "smallest and largest value in each macrocell", {grid_.index},
-                             {ranges_.index}, [this](const PassAccess& access) {
+    differentiate_ = graph.add_pass(
+        {name + ": differentiate",
+         "central differences for lighting",
+         {grid_.index},
+         {gradients.index},
+         [this](const PassAccess& access) { access.write(gradients) = make_gradient_texture(*access.read(grid_)); }});
+    range_ = graph.add_pass({name + ": cell ranges",
+                             "smallest and largest value in each macrocell",
+                             {grid_.index},
+                             {ranges_.index},
+                             [this](const PassAccess& access) {
                                  CellRanges& ranges = access.write(ranges_);
                                  ranges = make_cell_ranges(*access.read(grid_));
                                  access.note(fmt::format("{} x {} x {} cells of {}^3 voxels", ranges.cells.x,
                                                          ranges.cells.y, ranges.cells.z, ranges.edge));
                              }});
-    tabulate_ = graph.add_pass({name + ": tables", "tabulates the transfer function, pre-integrated for this step",
-                                {transfer_function_.index}, {tables.index}, {}});
-    find_empty_ = graph.add_pass({name + ": occupancy", "which macrocells hold anything visible, and how far the next is",
-                                  {ranges_.index, tables.index, grid_.index}, {emptiness.index}, {}});
+    tabulate_ = graph.add_pass({name + ": tables",
+                                "tabulates the transfer function, pre-integrated for this step",
+                                {transfer_function_.index},
+                                {tables.index},
+                                {}});
+    find_empty_ = graph.add_pass({name + ": occupancy",
+                                  "which macrocells hold anything visible, and how far the next is",
+                                  {ranges_.index, tables.index, grid_.index},
+                                  {emptiness.index},
+                                  {}});
 }
 
 void VolumePasses::update(const scene::Volume& volume, const scene::RenderSettings& settings, double step_world) {
@@ -84,8 +98,8 @@ void VolumePasses::update(const scene::Volume& volume, const scene::RenderSettin
     graph_.set_execute(find_empty_, [this, window](const PassAccess& access) {
         const double width = window.window[1] - window.window[0];
         const CellRanges& ranges = access.read(ranges_);
-        const Emptiness found = find_emptiness(ranges, access.read(tables).tables,
-                                               {1.0 / width, -window.window[0] / width});
+        const Emptiness found =
+            find_emptiness(ranges, access.read(tables).tables, {1.0 / width, -window.window[0] / width});
         EmptinessTexture& out = access.write(emptiness);
         out.edge = ranges.edge;
         out.voxels = access.read(grid_)->size;
