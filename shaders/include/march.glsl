@@ -19,7 +19,14 @@
 //       whether only emptiness is looked up on all of [t, until]; where false, it is not worth asking again before
 //       `until` (>= t either way). Called only with LEAP.
 //
-// Switches: SAMPLE_AT_MIDPOINTS (else at nodes), LIT, LEAP, STOP_EARLY, COUNT.
+//   bool medium_may_show(Sample front, Sample back)   with REFINE: false only if nothing between is visible, even if the
+//                                            data bend
+//
+// Switches: SAMPLE_AT_MIDPOINTS (else at nodes), REFINE (nodes only), LIT, LEAP, STOP_EARLY, COUNT.
+//
+// REFINE: pre-integration takes the data for straight over a segment. Where something shows, one more sample in the
+// middle tells how far that is from the truth: the halves replace the whole, and where they differ from it by more than
+// refine_tolerance in opacity, eighths replace the halves.
 // Leaping changes no bit of the result: it skips only segments for which medium_segment would return false.
 
 struct March {
@@ -59,6 +66,50 @@ void march_add(float tau, vec3 source, inout Marched result)
 #define MARCH_COUNT(counter)
 #endif
 
+#ifdef REFINE
+const float refine_tolerance = 3e-4;
+const int fine_parts = 8;
+
+float march_opacity(Sample front, Sample back, float t_front, float t_back)
+{
+    float tau;
+    vec3 source;
+    return medium_segment(front, back, t_front, t_back, tau, source) ? opacity_of(tau) : 0.0;
+}
+
+void march_refined(Sample front, Sample back, float t_front, float t_back, inout Marched result)
+{
+    float t_middle = 0.5 * (t_front + t_back);
+    Sample middle = medium_sample(t_middle);
+    MARCH_COUNT(samples);
+    float whole = march_opacity(front, back, t_front, t_back);
+    float first = march_opacity(front, middle, t_front, t_middle);
+    float second = march_opacity(middle, back, t_middle, t_back);
+    float halves = first + second - first * second;
+    int parts = result.transmittance * abs(halves - whole) > refine_tolerance ? fine_parts : 2;
+    float part = (t_back - t_front) / float(parts);
+    float t_behind = t_front;
+    for (int k = 1; k <= parts; ++k) {
+        float t = k == parts ? t_back : t_front + float(k) * part;
+        Sample next = back;
+        if (k < parts) {
+            next = middle;
+            if (parts != 2) {
+                next = medium_sample(t);
+                MARCH_COUNT(samples);
+            }
+        }
+        float tau;
+        vec3 source;
+        if (medium_segment(front, next, t_behind, t, tau, source)) {
+            march_add(tau, source, result);
+        }
+        front = next;
+        t_behind = t;
+    }
+}
+#endif
+
 Marched march(March m)
 {
     Marched result = Marched(vec3(0.0), 1.0, 0u, 0u);
@@ -68,8 +119,10 @@ Marched march(March m)
     bool has_front = false;
     Sample front = medium_nothing();
 #endif
+#ifndef REFINE
     float tau;
     vec3 source;
+#endif
     for (int n = 0; n < last; ++n) {
         float t_front = node_t(m, n);
 #ifdef LEAP
@@ -108,9 +161,15 @@ Marched march(March m)
         Sample back = medium_sample(t_back);
 #endif
         MARCH_COUNT(samples);
+#ifdef REFINE
+        if (medium_may_show(front, back)) {
+            march_refined(front, back, t_front, t_back, result);
+        }
+#else
         if (medium_segment(front, back, t_front, t_back, tau, source)) {
             march_add(tau, source, result);
         }
+#endif
 #ifndef SAMPLE_AT_MIDPOINTS
         front = back;
 #endif

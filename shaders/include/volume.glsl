@@ -18,6 +18,7 @@ struct Volume {
 uniform vec2 u_from_voxel[VOLUMES];        // u = x * texel + y
 uniform vec2 optics_from_voxel[VOLUMES];   // coordinate in optics_table = x * texel + y
 uniform vec2 optics_visible[VOLUMES];      // no extinction outside of these two coordinates
+uniform vec2 u_visible[VOLUMES];           // the same in u
 uniform float tau_scale[VOLUMES];          // optical depth per step and per unit of sigma in the tables
 uniform vec3 cells_from_texture[VOLUMES];  // macrocells along each axis, fractional
 uniform vec3 cells_inverse[VOLUMES];       // 1 / whole macrocells along each axis
@@ -211,6 +212,21 @@ vec3 medium_lit(float weight)
 #endif
     }
     return light;
+}
+#endif
+
+#ifdef REFINE
+bool medium_may_show(Sample front, Sample back)
+{
+    bool shows = false;
+    for (int m = 0; m < VOLUMES; ++m) {
+        // Data that are not straight may leave the range of the two ends.
+        float low = min(front.u[m], back.u[m]);
+        float high = max(front.u[m], back.u[m]);
+        float bend = 0.05 + 0.5 * (high - low);
+        shows = shows || (high + bend >= u_visible[m].x && low - bend <= u_visible[m].y);
+    }
+    return shows;
 }
 #endif
 

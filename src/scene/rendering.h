@@ -24,6 +24,7 @@ inline std::span<const std::string_view> enum_words<Jitter>() {
 /// What a picture costs and how exact it is.
 struct RenderSettings {
     Classification classification = Classification::preintegrated;
+    bool refine = true;  ///< preintegrated: cut segments finer where the data bend under the transfer function
     double step = 1.0;  ///< length of a segment of the march, in voxels (smallest spacing in world space)
     bool empty_space_skipping = true;  ///< changes no bit of the picture
     bool early_termination = true;
@@ -38,6 +39,9 @@ void visit_fields(Self& settings, Visitor&& visit) {
     visit(Field{.name = "classification",
                 .sentence = "post: transfer function at points; preintegrated: exactly over each segment"},
           settings.classification);
+    visit(Field{.name = "refine",
+                .sentence = "preintegrated: cut a segment into halves or eighths where the data bend and it shows"},
+          settings.refine);
     visit(Field{.name = "step",
                 .unit = "voxel",
                 .sentence = "length of a segment of the march",

@@ -27,6 +27,10 @@ scene::TransferFunction surface(double voxel_edge) {
     return tf;
 }
 
+/// Half a step of an 8-bit display (1/510): an error that no such display shows. What is left of it comes from segments
+/// whose bend no sample has seen. Seen to fail without the refinement of bent segments (0.0007 to 0.025).
+constexpr double tolerance = 2e-3;
+
 class Accuracy : public Drawing {
   protected:
     double rmse(scene::Scene& scene, const Image& expected, Classification classification, double step) {
@@ -41,11 +45,8 @@ class Accuracy : public Drawing {
         }
         return step;
     }
-    /// `tolerances` at a step of one voxel: of the shells, the surface, and the transfer function that a user starts
-    /// with. They are a quarter above what was measured; the error is that of taking data as linear along a segment,
-    /// which trilinear data are not.
-    void expect_accurate(const std::string& name, std::shared_ptr<const scene::VolumeGrid> grid,
-                         std::array<double, 3> tolerances, int edge) {
+    /// At a step of one voxel: under the shells, the surface, and the transfer function that a user starts with.
+    void expect_accurate(const std::string& name, std::shared_ptr<const scene::VolumeGrid> grid, int edge) {
         const std::array<std::pair<const char*, scene::TransferFunction>, 3> transfer_functions{
             {{"shells", shells(grid->spacing.x)},
              {"surface", surface(grid->spacing.x)},
@@ -57,7 +58,7 @@ class Accuracy : public Drawing {
             const Image expected = truth(scene, {edge, edge}, 1e-5);
             const double fast = rmse(scene, expected, Classification::preintegrated, 1.0);
             report(what + "RMSE preintegrated at step 1", fast);
-            EXPECT_LE(fast, tolerances[n]) << what;
+            EXPECT_LE(fast, tolerance) << what;
             const double halved = rmse(scene, expected, Classification::preintegrated, 0.5);
             report(what + "RMSE preintegrated at step 1/2", halved);
             EXPECT_LT(halved, 0.6 * fast) << what << "the step is what is left of the error";
@@ -70,16 +71,12 @@ class Accuracy : public Drawing {
     }
 };
 
-constexpr std::array bucky_tolerances{0.014, 0.0116, 0.003};
-constexpr std::array marschner_lobb_tolerances{0.031, 0.0131, 0.0087};
-constexpr std::array bonsai_tolerances{0.0092, 0.0107, 0.0011};
-
 TEST_F(Accuracy, Bucky) {
-    expect_accurate("bucky", scene::builtin_volume("bucky"), bucky_tolerances, 256);
+    expect_accurate("bucky", scene::builtin_volume("bucky"), 256);
 }
 
 TEST_F(Accuracy, MarschnerLobb) {
-    expect_accurate("marschner-lobb", scene::builtin_volume("marschner-lobb"), marschner_lobb_tolerances, 256);
+    expect_accurate("marschner-lobb", scene::builtin_volume("marschner-lobb"), 256);
 }
 
 TEST_F(Accuracy, Bonsai) {
@@ -87,16 +84,16 @@ TEST_F(Accuracy, Bonsai) {
     if (!grid) {
         GTEST_SKIP() << "BRUMA_DATA is not set to a folder with measured volumes";
     }
-    expect_accurate("bonsai", grid, bonsai_tolerances, 256);
+    expect_accurate("bonsai", grid, 256);
 }
 
 class LongAccuracy : public Accuracy {};
 
 TEST_F(LongAccuracy, AllAtFullSize) {
-    expect_accurate("bucky", scene::builtin_volume("bucky"), bucky_tolerances, 512);
-    expect_accurate("marschner-lobb", scene::builtin_volume("marschner-lobb"), marschner_lobb_tolerances, 512);
+    expect_accurate("bucky", scene::builtin_volume("bucky"), 512);
+    expect_accurate("marschner-lobb", scene::builtin_volume("marschner-lobb"), 512);
     if (const auto grid = measured_volume("bonsai-zfp8_256x256x256_uint8.raw")) {
-        expect_accurate("bonsai", grid, bonsai_tolerances, 512);
+        expect_accurate("bonsai", grid, 512);
     }
 }
 

@@ -72,7 +72,7 @@ TEST_F(Drawing, Test04LinearRamp) {
     for (const Classification classification : both_classifications) {
         std::vector<double> steps, errors;
         for (const double step : {1.0, 2.0, 4.0, 8.0, 11.3, 16.0, 22.6, 32.0}) {
-            settle(scene, classification, step);
+            settle(scene, classification, step, false);  // the order of the plain method
             const Image image = draw(scene, one_pixel);
             EXPECT_NEAR(image.rgba[3], alpha, 1e-5) << name_of(classification) << ", step " << step << ": exact at any";
             steps.push_back(step);
@@ -100,7 +100,7 @@ TEST_F(Drawing, Test04CurvedData) {
     for (const Classification classification : both_classifications) {
         std::vector<double> steps, color_errors, alpha_errors;
         for (const double step : {8.0, 11.3, 16.0, 22.6, 32.0, 45.3, 64.0}) {
-            settle(scene, classification, step);
+            settle(scene, classification, step, false);  // the order of the plain method
             const Image image = draw(scene, one_pixel);
             steps.push_back(step);
             color_errors.push_back(color_error(image, {expected.rgba[0], expected.rgba[1], expected.rgba[2]}));

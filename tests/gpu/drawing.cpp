@@ -75,9 +75,10 @@ bool same_bits(const Image& a, const Image& b) {
            std::memcmp(a.rgba.data(), b.rgba.data(), a.rgba.size() * sizeof(float)) == 0;
 }
 
-void settle(scene::Scene& scene, Classification classification, double step_voxels) {
+void settle(scene::Scene& scene, Classification classification, double step_voxels, bool refine) {
     scene.rendering.edit([&](scene::RenderSettings& settings) {
         settings.classification = classification;
+        settings.refine = refine;
         settings.step = step_voxels;
         settings.early_termination = false;
     });

@@ -49,7 +49,7 @@ double largest_difference(const Image& a, const Image& b);
 bool same_bits(const Image& a, const Image& b);
 
 /// No early end, the given step in voxels.
-void settle(scene::Scene& scene, Classification classification, double step_voxels);
+void settle(scene::Scene& scene, Classification classification, double step_voxels, bool refine = true);
 scene::VolumeOptics& lit(scene::VolumeOptics& optics);
 
 /// The scene's true picture, with its own error far below what the tests ask.

@@ -26,7 +26,7 @@ scene::Scene rich_scene() {
                                        .near_distance = 1e-5});
     scene.background = scene::Background{{0.1, 0.2, 0.3}, {1.0, 2.0, 3.0}};
     scene.rendering =
-        scene::RenderSettings{scene::Classification::post, 0.7, false, false, 0.01, scene::Jitter::blue_noise};
+        scene::RenderSettings{scene::Classification::post, false, 0.7, false, false, 0.01, scene::Jitter::blue_noise};
     scene.display = scene::Display{-1.5, scene::ToneMap::filmic, false};
     scene.lights.emplace("sun", scene::Light{scene::LightKind::point, {0, 1, 0}, {4, 5, 6}, {1, 0.5, 0.1}, 3.0, false});
     scene::Node group;

@@ -19,7 +19,7 @@ std::vector<gl::Defines> variants_of(const std::string& file) {
         return {{}};
     }
     std::vector<gl::Defines> variants;
-    for (int bits = 0; bits < 64; ++bits) {
+    for (int bits = 0; bits < 128; ++bits) {
         gl::Defines defines{{"VOLUMES", bits & 1 ? "2" : "1"}};
         const auto add = [&](int bit, const char* name) {
             if (bits & bit) {
@@ -27,6 +27,7 @@ std::vector<gl::Defines> variants_of(const std::string& file) {
             }
         };
         add(2, "SAMPLE_AT_MIDPOINTS");
+        add(64, "REFINE");
         add(4, "LEAP");
         add(8, "STOP_EARLY");
         add(16, "COUNT");

@@ -176,6 +176,8 @@ gl::Program& MarchPass::program(const PassAccess& access, const Parameters& para
     }
     if (parameters.settings.classification == scene::Classification::post) {
         defines["SAMPLE_AT_MIDPOINTS"] = "";
+    } else if (parameters.settings.refine && parameters.view.step_scale == 1.0) {
+        defines["REFINE"] = "";
     }
     if (parameters.settings.empty_space_skipping) {
         defines["LEAP"] = "";
@@ -220,6 +222,7 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
             glm::vec2(tables.tables.lowest_visible * scale + shift, tables.tables.highest_visible * scale + shift));
     } else {
         bind("depth_table", tables.depth);
+        program.set_at("u_visible", index, "", glm::vec2(tables.tables.lowest_visible, tables.tables.highest_visible));
         bind("source_table", tables.source);
     }
     if (parameters.lit) {

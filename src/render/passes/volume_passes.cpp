@@ -79,8 +79,10 @@ void VolumePasses::update(const scene::Volume& volume, const scene::RenderSettin
     graph_.set_source(grid_, *volume.grid, volume.grid.revision());
     graph_.set_source(transfer_function_, *volume.transfer_function, volume.transfer_function.revision());
 
+    // Refined segments are halves where they are not finer still, so that is the length to be exact for.
+    const double segment = step_world * (settings.refine ? 0.5 : 1.0);
     const TableParameters parameters{
-        volume.optics->density_scale * step_world / volume.transfer_function->reference_length,
+        volume.optics->density_scale * segment / volume.transfer_function->reference_length,
         settings.classification == scene::Classification::preintegrated,
         volume.optics->lighting != scene::VolumeLighting::none};
     graph_.set_parameters(tabulate_, parameters);
