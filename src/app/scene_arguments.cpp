@@ -86,6 +86,25 @@ std::array<double, 3> view_angles(const std::string& view) {
                                  view, suggestion(view, known)));
 }
 
+/// How much nearer a camera that was fitted to a sphere may come until the corners of the scene's box touch the frame,
+/// with a twentieth left around.
+double room_around(const scene::Scene& scene, const scene::Camera& camera, double aspect) {
+    const scene::Bounds bounds = scene::world_bounds(scene);
+    const scene::CameraFrame frame = scene::camera_frame(camera);
+    const double slope = std::tan(glm::radians(0.5 * camera.vertical_angle_deg));
+    double distance = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 p =
+            glm::dvec3(corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
+                       corner & 4 ? bounds.high.z : bounds.low.z) -
+            camera.target_world;
+        const double across =
+            std::max(std::abs(glm::dot(p, frame.right_world)) / aspect, std::abs(glm::dot(p, frame.up_world)));
+        distance = std::max(distance, glm::dot(p, frame.back_world) + across / slope);
+    }
+    return glm::length(camera.eye_world - camera.target_world) / std::max(1e-300, 1.05 * distance);
+}
+
 }  // namespace
 
 void SceneArguments::declare(CLI::App& app, bool with_view) {
@@ -178,8 +197,9 @@ void place_camera(scene::Scene& scene, double aspect, const std::string& view, c
         camera.up_world = angles[1] > 0.0 ? -front : front;
     }
     // The eye comes nearer; an orthographic view would shrink its height alike.
-    camera.eye_world = camera.target_world + (camera.eye_world - camera.target_world) / angles[2];
-    camera.view_height /= angles[2];
+    const double zoom = angles[2] * room_around(scene, camera, aspect);
+    camera.eye_world = camera.target_world + (camera.eye_world - camera.target_world) / zoom;
+    camera.view_height /= zoom;
     scene.camera = camera;
 }
 

@@ -74,6 +74,8 @@ void add_volume(scene::Scene& scene, const std::string& name, scene::VolumeSourc
     scene::Volume volume;
     volume.source = std::move(source);
     volume.transfer_function = scene::suggested_transfer_function(*grid);
+    // Lit surfaces tell shapes at the first look; nothing is lost by switching it off.
+    volume.optics.edit([](scene::VolumeOptics& optics) { optics.lighting = scene::VolumeLighting::gradient; });
     const glm::dvec3 extent = grid->extent();
     volume.grid = std::move(grid);
     scene::Node node;
@@ -121,6 +123,11 @@ void add_without_light(scene::Scene& scene, const std::string& argument, const s
 void add_default_light(scene::Scene& scene) {
     if (scene.lights.empty()) {
         scene.lights.emplace("headlight", scene::Light{.kind = scene::LightKind::headlight});
+        // Dark enough for glow, bright enough to see dark matter before it.
+        if (*scene.background == scene::Background{}) {
+            scene.background =
+                scene::Background{.top = glm::dvec3(0.012, 0.014, 0.018), .bottom = glm::dvec3(0.055, 0.06, 0.068)};
+        }
     }
 }
 
