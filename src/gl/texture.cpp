@@ -33,10 +33,13 @@ Texture::Texture(GLenum target, std::string_view label, GLenum format, glm::ivec
             break;
     }
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-        throw MachineError(fmt::format(
-            "no room for the texture '{}' of {} x {} x {} ({}); a smaller picture or volume "
-            "may fit",
-            label, size.x, size.y, size.z, error == GL_OUT_OF_MEMORY ? "out of memory" : "refused by the driver"));
+        const std::string sentence =
+            fmt::format("no room for the texture '{}' of {} x {} x {} ({}); a smaller picture or volume may fit", label,
+                        size.x, size.y, size.z, error == GL_OUT_OF_MEMORY ? "out of memory" : "refused by the driver");
+        if (target == GL_TEXTURE_3D) {
+            throw InputError(sentence);  // the user's volume, not the program's own needs
+        }
+        throw MachineError(sentence);
     }
     glTextureParameteri(name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTextureParameteri(name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);

@@ -110,11 +110,10 @@ void add_without_light(scene::Scene& scene, const std::string& argument, const s
         return;
     }
     scene::VolumeSource source;
-    std::string name = builtin_name(argument);
     if (kind == FileKind::raw_volume) {
         source = hints;
-        name = make_grid_name(argument);
     }
+    std::string name = kind == FileKind::raw_volume ? make_grid_name(argument) : builtin_name(argument);
     source.file = argument;
     auto grid = load_grid(source, progress);
     add_volume(scene, name, std::move(source), std::move(grid));

@@ -63,6 +63,11 @@ TEST(Open, AppliesSettingsAndSharesTheGrids) {
                          "--set: nodes.ramp.ambient: 50 is above 10"));
 }
 
+TEST(Open, RefusesAMissingFileWithAShortName) {
+    // Shorter than the word 'builtin:', which was once cut off without looking.
+    EXPECT_TRUE(contains(refusal([] { open_files(std::vector<std::string>{"x.raw"}, {}, {}); }), "no such file"));
+}
+
 TEST(Open, RefusesUnknownEndingsAndNames) {
     const auto fault = [](const std::string& argument) {
         return refusal([&] { open_files(std::vector{argument}, {}, {}); });
