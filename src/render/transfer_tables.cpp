@@ -38,7 +38,7 @@ void windows(const std::vector<Layer>& layers, int width, std::vector<Layer>& su
         if (suffixes.empty()) {
             // Turn over: suffix products of [first, next].
             Layer product;
-            suffixes.resize(std::size_t(next - first + 1));
+            suffixes.resize(std::size_t(next) - std::size_t(first) + 1);
             for (int n = next; n >= first; --n) {
                 product = over(layers[std::size_t(n)], product);
                 suffixes[std::size_t(n - first)] = product;
@@ -80,7 +80,7 @@ std::vector<glm::vec4> preintegrate_source(const std::vector<double>& sigma, con
             layers[std::size_t(n)] = {source[std::size_t(n)] * opacity, opacity, 1.0 - opacity};
         }
         const auto if_empty = [&](int first) {
-            return 0.5 * (source_at_entries[std::size_t(first)] + source_at_entries[std::size_t(first + width)]);
+            return 0.5 * (source_at_entries[std::size_t(first)] + source_at_entries[std::size_t(first) + std::size_t(width)]);
         };
         windows(layers, width, suffixes, [&](int first, const Layer& product) {
             at(first, first + width) = mean_source(product, if_empty(first));

@@ -137,6 +137,7 @@ void LayoutDialog::show_slice() {
     if (slice_) {
         const glm::vec2 size(slice_.size());
         const glm::vec2 shown = size * (edge / std::max(size.x, size.y));
+        // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui carries a texture name in a pointer.
         ImGui::Image(reinterpret_cast<ImTextureID>(std::intptr_t(slice_.name())), {shown.x, shown.y});
     } else {
         ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + edge);

@@ -20,6 +20,9 @@ std::vector<gl::Defines> variants_of(const std::string& file) {
     }
     std::vector<gl::Defines> variants;
     for (int bits = 0; bits < 128; ++bits) {
+        if ((bits & 2) && (bits & 64)) {
+            continue;  // refinement belongs to pre-integration
+        }
         gl::Defines defines{{"VOLUMES", bits & 1 ? "2" : "1"}};
         const auto add = [&](int bit, const char* name) {
             if (bits & bit) {
