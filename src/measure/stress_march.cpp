@@ -45,6 +45,7 @@ double slab_error(StressRig& rig, double step, scene::Classification classificat
     scene.rendering.edit([&](scene::RenderSettings& s) {
         s.step = step;
         s.classification = classification;
+        s.refine = false;  // so many steps are meant, not twice as many
     });
     scene.camera = scene::Camera{.projection = scene::Projection::orthographic,
                                  .eye_world = {0.0, 0.0, 0.2},

@@ -61,7 +61,10 @@ class Accuracy : public Drawing {
             EXPECT_LE(fast, tolerance) << what;
             const double halved = rmse(scene, expected, Classification::preintegrated, 0.5);
             report(what + "RMSE preintegrated at step 1/2", halved);
-            EXPECT_LT(halved, 0.6 * fast) << what << "the step is what is left of the error";
+            // Below 1e-4 the tables and floats hold the rest, whatever the step.
+            if (fast > 1e-4) {
+                EXPECT_LT(halved, 0.6 * fast) << what << "the step is what is left of the error";
+            }
             report(what + "RMSE post at step 1", rmse(scene, expected, Classification::post, 1.0));
             report(what + "step of post for the same RMSE", step_for(scene, expected, Classification::post, fast));
             report(what + "step of preintegrated for RMSE 2e-3",
