@@ -2,8 +2,10 @@
 // All vectors are in world space and of unit length.
 
 struct Light {
-    vec3 irradiance;  // linear Rec.709; of a point light at a distance of 1 step
-    vec3 toward;      // directional: unit, towards the light; point: its position relative to the camera, in steps
+    vec3 irradiance;  // over pi, linear Rec.709; with a position: at a distance of 1 step
+    vec3 toward;      // unit, towards the light; with a position: the position relative to the camera, in steps
+    vec3 axis;        // spot: unit, against the beam; 0 for a point light
+    vec2 cone;        // spot: cosine at the edge, 1 / (cosine where the edge begins to fade - that)
 };
 // Directional lights first, then point lights; the counts are compiled in, since a loop of unknown length around so few
 // operations costs a software renderer more than the operations.
@@ -74,8 +76,10 @@ vec3 lit_source(int m, vec3 color, float weight, float t)
     for (int n = DIRECTIONAL_LIGHTS; n < DIRECTIONAL_LIGHTS + POINT_LIGHTS; ++n) {
         vec3 way = lights[n].toward - (ray_origin_steps + t * ray_direction_world);
         float squared = max(dot(way, way), 1e-12);
-        reflect_light(s, way * inversesqrt(squared), lights[n].irradiance / squared, normal, toward_eye, facing_eye,
-                      reflected);
+        vec3 toward = way * inversesqrt(squared);
+        float inside = clamp((dot(toward, lights[n].axis) - lights[n].cone.x) * lights[n].cone.y, 0.0, 1.0);
+        float share = inside * inside * (3.0 - 2.0 * inside) / squared;
+        reflect_light(s, toward, lights[n].irradiance * share, normal, toward_eye, facing_eye, reflected);
     }
     return mix(color, color * reflected.diffuse + weight * reflected.highlight, shaded);
 }

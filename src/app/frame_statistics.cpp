@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numbers>
 
 #include "context/context.h"
 
@@ -22,14 +23,14 @@ double largest_radiance(const scene::Scene& scene) {
     double most = std::max(largest(scene.background->top), largest(scene.background->bottom));
     double light = 1.0;
     for (const auto& [name, lamp] : scene.lights) {
-        light += lamp->on ? lamp->intensity * largest(lamp->color) : 0.0;
+        light += scene::shines(*lamp) ? lamp->intensity * largest(lamp->color) / std::numbers::pi : 0.0;
     }
     for (const std::string& name : scene::shown_volumes(scene)) {
         const auto& volume = std::get<scene::Volume>(scene.nodes.at(name).content);
         const bool lit = volume.optics->lighting != scene::VolumeLighting::none;
         for (int n = 0; n <= 256; ++n) {
             const double c = largest(scene::color_at(*volume.transfer_function, n / 256.0));
-            const double e = scene::emission_at(*volume.transfer_function, n / 256.0);
+            const double e = volume.optics->emission + scene::emission_at(*volume.transfer_function, n / 256.0);
             const double shaded =
                 c * (volume.optics->ambient + volume.optics->diffuse * light) + volume.optics->specular * light;
             most = std::max(most, (lit ? std::max(c, shaded) : c) + c * e);

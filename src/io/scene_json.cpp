@@ -31,6 +31,7 @@ json node_json(const scene::Node& node) {
         object["source"] = fields_json(volume->source);
         object["transfer_function"] = transfer_function_json(*volume->transfer_function);
         object["clip"] = fields_json(*volume->clip);
+        object["light_volume"] = fields_json(*volume->light_volume);
         write_fields(*volume->optics, object);
     }
     return object;
@@ -63,6 +64,9 @@ scene::Volume read_volume(const json& object, const std::string& where, const Fo
     if_present(object, where, "clip", [&](const json& from, const std::string& here) {
         volume.clip = read_fields<scene::ClipBox>(from, here);
     });
+    if_present(object, where, "light_volume", [&](const json& from, const std::string& here) {
+        volume.light_volume = read_fields<scene::LightVolumeSettings>(from, here);
+    });
     scene::VolumeOptics optics;
     read_present_fields(object, where, optics);
     volume.optics = optics;
@@ -78,7 +82,7 @@ scene::Node read_node(const json& object, const std::string& where, const Folder
         throw InputError(fmt::format("{}: missing; expected \"volume\" or \"group\"", join_path(where, "kind")));
     }
     if (read_word(*kind, join_path(where, "kind"), node_kinds) == 1) {
-        known.insert(known.end(), {"source", "transfer_function", "clip"});
+        known.insert(known.end(), {"source", "transfer_function", "clip", "light_volume"});
         const std::vector<std::string> optics = field_names<scene::VolumeOptics>();
         known.insert(known.end(), optics.begin(), optics.end());
         require_known_keys(object, where, known);
@@ -113,6 +117,7 @@ void for_each_named(const json& object, const std::string& where, Read&& read) {
 json to_json(const scene::Scene& scene) {
     json document{{version_key, version},
                   {"background", fields_json(*scene.background)},
+                  {"environment", fields_json(*scene.environment)},
                   {"rendering", fields_json(*scene.rendering)},
                   {"display", fields_json(*scene.display)},
                   {"lights", json::object()},
@@ -133,7 +138,8 @@ scene::Scene from_json(const json& document, const std::string& where, const Fol
     const std::string top = where.empty() ? "" : where + ":";
     require_object(document, top);
     check_version(document, version_key, version, where);
-    require_known_keys(document, top, {version_key, "camera", "background", "rendering", "display", "lights", "nodes"});
+    require_known_keys(document, top,
+                       {version_key, "camera", "background", "environment", "rendering", "display", "lights", "nodes"});
     scene::Scene scene;
     if_present(document, top, "camera", [&](const json& from, const std::string& here) {
         if (!from.is_null()) {
@@ -142,6 +148,9 @@ scene::Scene from_json(const json& document, const std::string& where, const Fol
     });
     if_present(document, top, "background", [&](const json& from, const std::string& here) {
         scene.background = read_fields<scene::Background>(from, here);
+    });
+    if_present(document, top, "environment", [&](const json& from, const std::string& here) {
+        scene.environment = read_fields<scene::Environment>(from, here);
     });
     if_present(document, top, "rendering", [&](const json& from, const std::string& here) {
         scene.rendering = read_fields<scene::RenderSettings>(from, here);

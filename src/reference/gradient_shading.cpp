@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace bruma::reference {
 namespace {
@@ -20,6 +21,10 @@ glm::dvec3 unit_or_zero(glm::dvec3 v) {
     return length > 0.0 ? v / length : glm::dvec3(0.0);
 }
 
+double dot_axis(const scene::Light& light, const scene::Incident& incident) {
+    return glm::dot(incident.toward_world, glm::normalize(light.direction_world));
+}
+
 }  // namespace
 
 GradientShading::GradientShading(const scene::Scene& scene, const scene::VolumeOptics& optics,
@@ -28,18 +33,11 @@ GradientShading::GradientShading(const scene::Scene& scene, const scene::VolumeO
       share_per_gradient_(data_range > 0.0 ? smallest_voxel_edge / data_range : 0.0),
       // A highlight cos^n is about 1 / sqrt(n) wide.
       largest_turn_(std::min(0.5, 2.0 / std::sqrt(std::max(1.0, optics.specular > 0.0 ? optics.shininess : 1.0)))) {
-    const glm::dvec3 back_world = scene::camera_frame(**scene.camera).back_world;
+    camera_back_world_ = scene::camera_frame(**scene.camera).back_world;
     for (const auto& [name, light] : scene.lights) {
-        if (!light->on) {
-            continue;
+        if (scene::shines(*light)) {
+            lights_.push_back(*light);
         }
-        const bool is_point = light->kind == scene::LightKind::point;
-        const bool is_headlight = light->kind == scene::LightKind::headlight;
-        lamps_.push_back({is_point,
-                          is_point       ? light->position_world
-                          : is_headlight ? back_world
-                                         : unit_or_zero(light->direction_world),
-                          light->color * light->intensity});
     }
 }
 
@@ -49,9 +47,12 @@ void GradientShading::append_bends(glm::dvec3 gradient_world, glm::dvec3 positio
     bends.push_back(share - optics_.gradient_soft_from);
     bends.push_back(share - optics_.gradient_soft_to);
     bends.push_back(glm::dot(gradient_world, ray_direction_world));
-    for (const Lamp& lamp : lamps_) {
-        const glm::dvec3 to_light = lamp.is_point ? lamp.place_world - position_world : lamp.place_world;
-        bends.push_back(glm::dot(gradient_world, to_light));
+    for (const scene::Light& light : lights_) {
+        const scene::Incident incident = scene::incident_light(light, position_world, camera_back_world_);
+        bends.push_back(glm::dot(gradient_world, incident.toward_world));
+        if (light.kind == scene::LightKind::spot) {
+            bends.push_back(scene::spot_share(light, dot_axis(light, incident)) - 0.5);
+        }
     }
 }
 
@@ -89,18 +90,10 @@ glm::dvec3 GradientShading::lit(glm::dvec3 color, glm::dvec3 gradient_world, glm
     }
     glm::dvec3 diffuse(0.0);
     glm::dvec3 specular(0.0);
-    for (const Lamp& lamp : lamps_) {
-        glm::dvec3 to_light = lamp.place_world;
-        glm::dvec3 irradiance = lamp.irradiance;
-        if (lamp.is_point) {
-            to_light = lamp.place_world - position_world;
-            const double squared = glm::dot(to_light, to_light);
-            if (!(squared > 1e-200)) {  // in the lamp itself; also keeps 1 / squared finite
-                continue;
-            }
-            to_light /= std::sqrt(squared);
-            irradiance /= squared;
-        }
+    for (const scene::Light& light : lights_) {
+        const scene::Incident incident = scene::incident_light(light, position_world, camera_back_world_);
+        const glm::dvec3 to_light = incident.toward_world;
+        const glm::dvec3 irradiance = incident.irradiance / std::numbers::pi;
         const double cosine = glm::dot(normal, to_light);
         diffuse += irradiance * (optics_.two_sided ? std::abs(cosine) : std::max(cosine, 0.0));
         if (cosine > 0.0) {

@@ -6,7 +6,8 @@
 namespace bruma::reference {
 
 /// Local shading of a volume by the gradient of its data: Lambert's law and a highlight (Phong, CACM 1975; Blinn,
-/// SIGGRAPH 1977), faded out where the gradient is too small to be a normal.
+/// SIGGRAPH 1977), faded out where the gradient is too small to be a normal. The law in
+/// numbers stands at scene::VolumeOptics.
 class GradientShading {
   public:
     /// `smallest_voxel_edge` in metres of the world, `data_range` in data units; both make the gradient a pure number.
@@ -29,17 +30,13 @@ class GradientShading {
     bool is_resolved(glm::dvec3 begin, glm::dvec3 middle, glm::dvec3 end) const;
 
   private:
-    struct Lamp {
-        bool is_point;
-        glm::dvec3 place_world;  ///< position of a point light, else the unit direction towards the light
-        glm::dvec3 irradiance;   ///< of a point light, at 1 m
-    };
     double highlight(glm::dvec3 normal, glm::dvec3 to_light, glm::dvec3 to_eye) const;
 
     scene::VolumeOptics optics_;
-    double share_per_gradient_;  ///< share of the data range per voxel, for a gradient of 1 data unit per metre
-    double largest_turn_;        ///< of the gradient, relative to its length, that counts as resolved
-    std::vector<Lamp> lamps_;
+    double share_per_gradient_;         ///< share of the data range per voxel, for a gradient of 1 data unit per metre
+    double largest_turn_;               ///< of the gradient, relative to its length, that counts as resolved
+    std::vector<scene::Light> lights_;  ///< those that shine
+    glm::dvec3 camera_back_world_;
 };
 
 }  // namespace bruma::reference

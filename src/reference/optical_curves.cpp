@@ -39,8 +39,8 @@ std::vector<double> knots_of(const scene::TransferFunction& tf) {
 
 }  // namespace
 
-OpticalCurves::OpticalCurves(scene::TransferFunction transfer_function, double density_scale)
-    : transfer_function_(std::move(transfer_function)), density_scale_(density_scale) {
+OpticalCurves::OpticalCurves(scene::TransferFunction transfer_function, double density_scale, double emission)
+    : transfer_function_(std::move(transfer_function)), density_scale_(density_scale), emission_(emission) {
     scene::normalise(transfer_function_);
     knots_ = knots_of(transfer_function_);
     between_.push_back(constant_stretch(0.0));
@@ -62,7 +62,7 @@ CurveStretch OpticalCurves::constant_stretch(double u) const {
     stretch.u_low = u;
     stretch.opacity = opacity_at(transfer_function_, u);
     stretch.color = color_at(transfer_function_, u);
-    stretch.emission = emission_at(transfer_function_, u);
+    stretch.emission = emission_ + emission_at(transfer_function_, u);
     stretch.transparent = stretch.opacity == 0.0 || density_scale_ == 0.0;
     return stretch;
 }

@@ -33,7 +33,8 @@ struct CurveStretch {
 /// stretches of their own.
 class OpticalCurves {
   public:
-    OpticalCurves(scene::TransferFunction transfer_function, double density_scale);
+    /// `emission` is added to that of the transfer function.
+    OpticalCurves(scene::TransferFunction transfer_function, double density_scale, double emission = 0.0);
 
     /// All places in [0, 1], ascending, where a curve may bend or jump; 0 and 1 are among them.
     const std::vector<double>& knots() const { return knots_; }
@@ -55,6 +56,7 @@ class OpticalCurves {
 
     scene::TransferFunction transfer_function_;
     double density_scale_;
+    double emission_;
     std::vector<double> knots_;
     std::vector<CurveStretch> between_;  ///< [k] lies below knots_[k], the last one above all
     std::vector<CurveStretch> on_knot_;

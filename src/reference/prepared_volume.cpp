@@ -25,7 +25,8 @@ std::shared_ptr<const scene::VolumeGrid> grid_of(const scene::Scene& scene, cons
 
 PreparedVolume::PreparedVolume(const scene::Scene& scene, const std::string& node_name)
     : field(grid_of(scene, node_name)),
-      curves(*volume_of(scene, node_name).transfer_function, volume_of(scene, node_name).optics->density_scale),
+      curves(*volume_of(scene, node_name).transfer_function, volume_of(scene, node_name).optics->density_scale,
+             volume_of(scene, node_name).optics->emission),
       clip(*volume_of(scene, node_name).clip) {
     const scene::Volume& volume = volume_of(scene, node_name);
     const scene::VolumeGrid& grid = field.grid();

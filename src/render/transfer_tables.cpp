@@ -104,7 +104,7 @@ TransferTables make_transfer_tables(const scene::TransferFunction& tf, const Tab
         const double u = double(n) / (depth_entries - 1);
         sigma[std::size_t(n)] = scene::extinction_of_opacity(scene::opacity_at(tf, u), 1.0);
         const glm::dvec3 c = scene::color_at(tf, u);
-        const glm::dvec3 own = c * scene::emission_at(tf, u);
+        const glm::dvec3 own = c * (parameters.emission + scene::emission_at(tf, u));
         tables.glows = tables.glows || own != glm::dvec3(0.0);
         color[std::size_t(n)] = parameters.lit ? c : c + own;
         glow[std::size_t(n)] = own;

@@ -27,6 +27,7 @@ struct TableParameters {
     double tau_of_full_step = 1.0;  ///< optical depth of one whole step per unit of sigma: density * step / reference
     bool preintegrated = true;      ///< whether the 2-D tables are wanted
     bool lit = false;               ///< glow is kept apart from the colour that lights act on
+    double emission = 0.0;          ///< added to the transfer function's
     bool operator==(const TableParameters&) const = default;
 };
 

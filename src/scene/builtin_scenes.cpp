@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <numbers>
 
 #include "base/error.h"
 #include "base/nearest_name.h"
@@ -9,6 +10,7 @@
 namespace bruma::scene {
 namespace {
 
+using std::numbers::pi;
 constexpr double usual_aspect = 16.0 / 9.0;
 
 Volume shown_builtin(const std::string& name, VolumeLighting lighting) {
@@ -32,9 +34,11 @@ Node node(Volume volume, const Transform& transform = {}, const std::string& par
 /// A warm key from the upper left, a cool fill from the right, and a little light along the view, so that no side is
 /// lost in the dark.
 void light_as_in_a_studio(Scene& scene) {
-    scene.lights["key"] = Light{.direction_world = {-0.55, 0.8, 0.55}, .color = {1.0, 0.90, 0.76}, .intensity = 0.9};
-    scene.lights["fill"] = Light{.direction_world = {0.9, 0.15, 0.35}, .color = {0.55, 0.72, 1.0}, .intensity = 0.35};
-    scene.lights["head"] = Light{.kind = LightKind::headlight, .intensity = 0.1};
+    scene.lights["key"] =
+        Light{.direction_world = {-0.55, 0.8, 0.55}, .color = {1.0, 0.90, 0.76}, .intensity = 0.9 * pi};
+    scene.lights["fill"] =
+        Light{.direction_world = {0.9, 0.15, 0.35}, .color = {0.55, 0.72, 1.0}, .intensity = 0.35 * pi};
+    scene.lights["head"] = Light{.kind = LightKind::headlight, .intensity = 0.1 * pi};
     scene.background = Background{.top = {0.004, 0.005, 0.008}, .bottom = {0.030, 0.034, 0.044}};
 }
 

@@ -25,7 +25,7 @@ inline std::span<const std::string_view> enum_words<Jitter>() {
 struct RenderSettings {
     Classification classification = Classification::preintegrated;
     bool refine = true;  ///< preintegrated: cut segments finer where the data bend under the transfer function
-    double step = 1.0;  ///< length of a segment of the march, in voxels (smallest spacing in world space)
+    double step = 1.0;   ///< length of a segment of the march, in voxels (smallest spacing in world space)
     bool empty_space_skipping = true;  ///< changes no bit of the picture
     bool early_termination = true;
     double stop_transmittance = 1.0 / 1024.0;  ///< rays end below this; error at most this times the largest radiance
@@ -82,6 +82,24 @@ void visit_fields(Self& background, Visitor&& visit) {
         Field{
             .name = "bottom", .sentence = "linear colour at the lower edge", .min = 0.0, .max = 1e6, .is_color = true},
         background.bottom);
+}
+
+/// Light of one radiance from all sides. It is not seen directly: what is seen behind all is the background.
+struct Environment {
+    glm::dvec3 radiance{0.0};  ///< linear Rec.709, W/(m^2 sr)
+    bool operator==(const Environment&) const = default;
+};
+
+template <class Self, class Visitor>
+requires std::same_as<std::remove_const_t<Self>, Environment>
+void visit_fields(Self& environment, Visitor&& visit) {
+    visit(Field{.name = "radiance",
+                .unit = "W/(m2 sr)",
+                .sentence = "light from all sides, for path_traced lighting and references",
+                .min = 0.0,
+                .max = 1e6,
+                .is_color = true},
+          environment.radiance);
 }
 
 enum class ToneMap { none, filmic };

@@ -114,7 +114,8 @@ void check(const Scene& scene) {
         }
     }
     for (const auto& [name, light] : scene.lights) {
-        if (light->kind == LightKind::directional && !(glm::length(light->direction_world) > 0.0)) {
+        const bool aimed = light->kind == LightKind::directional || light->kind == LightKind::spot;
+        if (aimed && !(glm::length(light->direction_world) > 0.0)) {
             throw InputError(
                 fmt::format("lights.{}.direction: (0, 0, 0) points nowhere; give the way to the light", name));
         }

@@ -53,6 +53,7 @@ struct Scene {
     /// Unset until someone chooses: the scene is then framed by `fit_camera`.
     std::optional<Tracked<Camera>> camera;
     Tracked<Background> background;
+    Tracked<Environment> environment;
     Tracked<RenderSettings> rendering;
     Tracked<Display> display;
     std::map<std::string, Tracked<Light>> lights;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/revision.h"
+#include "scene/light_volume.h"
 #include "scene/transfer_function.h"
 #include "scene/volume_grid.h"
 
@@ -41,12 +42,18 @@ void visit_fields(Self& source, Visitor&& visit) {
           source.offset);
 }
 
-/// How a volume is lit where its samples are turned into colour.
-enum class VolumeLighting { none, gradient };
+/// Where the light that a volume scatters to the eye comes from.
+enum class VolumeLighting { none, gradient, light_volume, shadow_rays, path_traced };
 template <>
 inline std::span<const std::string_view> enum_words<VolumeLighting>() {
-    static constexpr std::array<std::string_view, 2> words{"none", "gradient"};
+    static constexpr std::array<std::string_view, 5> words{"none", "gradient", "light_volume", "shadow_rays",
+                                                           "path_traced"};
     return words;
+}
+/// Whether light is scattered by a phase function, with shadows.
+inline bool scatters(VolumeLighting lighting) {
+    return lighting == VolumeLighting::light_volume || lighting == VolumeLighting::shadow_rays ||
+           lighting == VolumeLighting::path_traced;
 }
 
 /// Exponent law of the highlight: angle to the mirrored light (Phong) or to the half vector (Blinn-Phong).
@@ -57,9 +64,24 @@ inline std::span<const std::string_view> enum_words<Highlight>() {
     return words;
 }
 
-/// How light is turned into the source radiance S of the emission-absorption integral.
+/// How light is turned into the source radiance S (per unit of extinction) of the emission-absorption integral. With C
+/// the colour and e the emission of the transfer function:
+///
+///     none       S = C + e C
+///     gradient   S = C (ambient + diffuse sum of E |n.l| / pi) + specular sum of E highlight / pi + e C, where there
+///     is
+///                a surface; C + e C elsewhere
+///     others     S = w (sum of E p(cos) T + what was scattered more than once) + e C,   w = albedo C, at most 1
+///
+/// E is a light's irradiance across its beam, T the transmittance to it, p the phase function of Henyey and Greenstein
+/// (Astrophysical Journal 93, 1941), normalised to 1 over the sphere. e is the transfer function's emission +
+/// `emission`.
 struct VolumeOptics {
     VolumeLighting lighting = VolumeLighting::none;
+    glm::dvec3 albedo{1.0};  ///< share of the light met that is scattered, times the transfer function's colour; 0..1
+    double g = 0.0;          ///< mean cosine of scattering, -0.99 (back) .. 0.99 (forward)
+    double emission = 0.0;   ///< added to the transfer function's emission, in units of its colour
+    bool surfaces = false;  ///< light_volume, shadow_rays: shade surfaces by the gradient too, highlights in shadow too
     Highlight highlight = Highlight::blinn_phong;
     double density_scale = 1.0;         ///< multiplies the extinction
     double ambient = 0.15;              ///< share of the colour seen without light
@@ -75,8 +97,34 @@ struct VolumeOptics {
 template <class Self, class Visitor>
 requires std::same_as<std::remove_const_t<Self>, VolumeOptics>
 void visit_fields(Self& optics, Visitor&& visit) {
-    visit(Field{.name = "lighting", .sentence = "none: colour as it is; gradient: surfaces lit by their normals"},
+    visit(Field{.name = "lighting",
+                .sentence =
+                    "none: colour as it is; gradient: surfaces lit by their normals; light_volume: scattering with "
+                    "shadows; shadow_rays: hard shadows; path_traced: all of the light, slowly"},
           optics.lighting);
+    visit(Field{.name = "albedo",
+                .sentence =
+                    "share of light that is scattered on, not absorbed; multiplies the transfer function's colour",
+                .min = 0.0,
+                .max = 1.0,
+                .is_color = true},
+          optics.albedo);
+    visit(Field{.name = "g",
+                .sentence = "mean cosine of scattering: -1 back to the light, 0 to all sides alike, 1 straight on",
+                .min = -0.99,
+                .max = 0.99,
+                .panel_min = -0.95,
+                .panel_max = 0.95},
+          optics.g);
+    visit(Field{.name = "emission",
+                .sentence = "light of its own, added to the transfer function's, in units of its colour",
+                .min = 0.0,
+                .max = 1e6,
+                .panel_max = 4.0},
+          optics.emission);
+    visit(
+        Field{.name = "surfaces", .sentence = "with light_volume or shadow_rays: shade surfaces by their normals too"},
+        optics.surfaces);
     visit(Field{.name = "highlight", .sentence = "exponent law of the highlight"}, optics.highlight);
     visit(Field{.name = "density_scale",
                 .sentence = "multiplies the extinction everywhere",
@@ -153,6 +201,7 @@ struct Volume {
     Tracked<TransferFunction> transfer_function;
     Tracked<VolumeOptics> optics;
     Tracked<ClipBox> clip;
+    Tracked<LightVolumeSettings> light_volume;
 };
 
 /// Data value at both ends of the transfer function: its window, else the data's range, widened if empty.

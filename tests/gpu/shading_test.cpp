@@ -13,8 +13,14 @@ void add_lights(scene::Scene& scene, double length) {
     scene.lights["point"] = scene::Light{.kind = scene::LightKind::point,
                                          .position_world = length * glm::dvec3(0.9, -0.6, 1.1),
                                          .color = {0.4, 0.6, 1.0},
-                                         .intensity = 0.5 * length * length};
-    scene.lights["head"] = scene::Light{.kind = scene::LightKind::headlight, .intensity = 0.2};
+                                         .intensity = 1.5 * length * length};
+    scene.lights["spot"] = scene::Light{.kind = scene::LightKind::spot,
+                                        .direction_world = {-0.6, 0.2, 1.0},
+                                        .position_world = length * glm::dvec3(-0.9, 0.3, 1.5),
+                                        .spot_softness = 0.8,
+                                        .color = {1.0, 0.3, 0.6},
+                                        .intensity = 2.0 * length * length};
+    scene.lights["head"] = scene::Light{.kind = scene::LightKind::headlight, .intensity = 0.6};
     scene.lights["off"] = scene::Light{.intensity = 50.0, .on = false};
 }
 

@@ -81,7 +81,7 @@ scene::Scene scaled(double factor) {
     scene.lights["key"] = scene::Light{};
     scene.lights["point"] = scene::Light{.kind = scene::LightKind::point,
                                          .position_world = factor * glm::dvec3(0.1, 0.2, 0.1),
-                                         .intensity = 0.02 * factor * factor};
+                                         .intensity = 0.06 * factor * factor};
     scene.background = scene::Background{.top = glm::dvec3(0.1, 0.2, 0.4), .bottom = glm::dvec3(0.3)};
     return scene;
 }

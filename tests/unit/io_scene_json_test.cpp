@@ -27,8 +27,10 @@ scene::Scene rich_scene() {
     scene.background = scene::Background{{0.1, 0.2, 0.3}, {1.0, 2.0, 3.0}};
     scene.rendering =
         scene::RenderSettings{scene::Classification::post, false, 0.7, false, false, 0.01, scene::Jitter::blue_noise};
+    scene.environment = scene::Environment{{0.2, 0.3, 0.4}};
     scene.display = scene::Display{-1.5, scene::ToneMap::filmic, false};
-    scene.lights.emplace("sun", scene::Light{scene::LightKind::point, {0, 1, 0}, {4, 5, 6}, {1, 0.5, 0.1}, 3.0, false});
+    scene.lights.emplace(
+        "sun", scene::Light{scene::LightKind::spot, {0, 1, 0}, {4, 5, 6}, 33.0, 0.7, {1, 0.5, 0.1}, 3.0, false});
     scene::Node group;
     group.visible = false;
     group.transform = scene::Transform{{1, 2, 3}, {10, 20, 30}, {1, -2, 0.5}};
@@ -42,8 +44,30 @@ scene::Scene rich_scene() {
                                                        {{0.0, {1, 0, 0}}, {0.5, {0, 0.1, 1}}},
                                                        {{0.25, 2.0}},
                                                        2e-3};
-    volume.optics = scene::VolumeOptics{
-        scene::VolumeLighting::gradient, scene::Highlight::phong, 2.0, 0.1, 0.2, 0.3, 20.0, false, 0.003, 0.03};
+    volume.optics = scene::VolumeOptics{.lighting = scene::VolumeLighting::light_volume,
+                                        .albedo = {0.9, 0.8, 0.7},
+                                        .g = -0.6,
+                                        .emission = 0.25,
+                                        .surfaces = true,
+                                        .highlight = scene::Highlight::phong,
+                                        .density_scale = 2.0,
+                                        .ambient = 0.1,
+                                        .diffuse = 0.2,
+                                        .specular = 0.3,
+                                        .shininess = 20.0,
+                                        .two_sided = false,
+                                        .gradient_soft_from = 0.003,
+                                        .gradient_soft_to = 0.03};
+    volume.light_volume = scene::LightVolumeSettings{.mode = scene::SweepMode::paper,
+                                                     .resolution = scene::LightResolution::quarter,
+                                                     .precision = scene::LightPrecision::single,
+                                                     .diffuse = false,
+                                                     .spread = 0.2,
+                                                     .near_steps = 4,
+                                                     .cone_angle_deg = 20.0,
+                                                     .soft_shadows = true,
+                                                     .toward_eye = true,
+                                                     .slices_per_dispatch = 2};
     volume.clip = scene::ClipBox{{0.1, 0.2, 0.3}, {0.9, 0.8, 0.7}};
     scene::Node node;
     node.parent = "all";

@@ -1,6 +1,8 @@
 // Shelf: closed form. A linear ramp of data has one gradient everywhere, so that its shading is one number.
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "reference/emission_absorption.h"
 #include "reference_scenes.h"
 
@@ -33,9 +35,10 @@ void expect_near(glm::dvec3 a, glm::dvec3 b, double tolerance = 1e-9) {
 const glm::dvec3 color(0.6, 0.4, 0.2);
 
 void set_light(scene::Scene& scene, glm::dvec3 direction) {
-    scene.lights["sun"] = scene::Light{.direction_world = direction, .color = {1.0, 0.5, 0.25}, .intensity = 2.0};
+    scene.lights["sun"] =
+        scene::Light{.direction_world = direction, .color = {1.0, 0.5, 0.25}, .intensity = 2.0 * std::numbers::pi};
 }
-const glm::dvec3 irradiance(2.0, 1.0, 0.5);
+const glm::dvec3 irradiance(2.0, 1.0, 0.5);  // over pi
 
 void change(scene::Scene& scene, const std::function<void(scene::VolumeOptics&)>& edit) {
     volume_in(scene).optics.edit(edit);
@@ -97,7 +100,7 @@ TEST(ReferenceShading, PointLightFallsWithTheSquare) {
     scene.lights["lamp"] = scene::Light{.kind = scene::LightKind::point,
                                         .position_world = {-1.2, 0.0, 1.6},
                                         .color = glm::dvec3(1.0),
-                                        .intensity = 3.0};
+                                        .intensity = 3.0 * std::numbers::pi};
     expect_near(source(scene), color * (0.15 + 0.85 * (3.0 / 4.0) * 0.6), 1e-5);
 }
 

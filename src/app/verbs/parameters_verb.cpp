@@ -51,9 +51,11 @@ Verb declare_describe_parameters(CLI::App&) {
         print_part<scene::RenderSettings>("Rendering", "rendering.");
         print_part<scene::Display>("Display", "display.");
         print_part<scene::Background>("Background", "background.");
+        print_part<scene::Environment>("Environment", "environment.");
         print_part<scene::Light>("Lights", "lights.NAME.");
         print_part<scene::Transform>("Nodes", "nodes.NAME.transform.");
         print_part<scene::VolumeOptics>("Volumes", "nodes.NAME.");
+        print_part<scene::LightVolumeSettings>("", "nodes.NAME.light_volume.");
         print_part<scene::ClipBox>("", "nodes.NAME.clip.");
         print_part<scene::TransferFunction>("", "nodes.NAME.transfer_function.");
         print_part<scene::VolumeSource>("", "nodes.NAME.source.");

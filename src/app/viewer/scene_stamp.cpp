@@ -9,6 +9,7 @@ namespace {
 void append_content(SceneStamp& stamp, const scene::Scene& scene) {
     const std::hash<std::string> hash;
     stamp.push_back(scene.background.revision());
+    stamp.push_back(scene.environment.revision());
     stamp.push_back(scene.rendering.revision());
     for (const auto& [name, light] : scene.lights) {
         stamp.push_back(hash(name));
@@ -24,6 +25,7 @@ void append_content(SceneStamp& stamp, const scene::Scene& scene) {
             stamp.push_back(volume->transfer_function.revision());
             stamp.push_back(volume->optics.revision());
             stamp.push_back(volume->clip.revision());
+            stamp.push_back(volume->light_volume.revision());
         }
     }
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "render/blue_noise.h"
 
@@ -33,16 +34,27 @@ void set_lights(gl::Program& program, const std::vector<scene::Light>& lights, c
     const glm::dvec3 back = scene::camera_frame(camera).back_world;
     for (std::size_t n = 0; n < lights.size(); ++n) {
         const scene::Light& light = lights[n];
-        glm::dvec3 irradiance = light.color * light.intensity;
-        glm::dvec3 toward = back;
-        if (light.kind == scene::LightKind::point) {
-            irradiance /= step_world * step_world;
+        // A Lambert surface under irradiance E has radiance E / pi.
+        glm::dvec3 radiance = light.color * light.intensity / std::numbers::pi;
+        glm::dvec3 toward = light.kind == scene::LightKind::headlight ? back : light.direction_world;
+        glm::vec3 axis(0.0F);
+        glm::vec2 cone(-1.0F, 1.0F);  // a point light: full everywhere
+        if (scene::has_position(light)) {
+            radiance /= step_world * step_world;
             toward = (light.position_world - camera.eye_world) / step_world;
-        } else if (light.kind == scene::LightKind::directional) {
-            toward = glm::normalize(light.direction_world);
+            if (light.kind == scene::LightKind::spot) {
+                const double outer = std::cos(glm::radians(light.spot_angle_deg));
+                const double inner = std::cos(glm::radians(light.spot_angle_deg * (1.0 - light.spot_softness)));
+                axis = glm::normalize(light.direction_world);
+                cone = {outer, 1.0 / std::max(inner - outer, 1e-6)};
+            }
+        } else {
+            toward = glm::normalize(toward);
         }
-        program.set_at("lights", int(n), ".irradiance", glm::vec3(irradiance));
+        program.set_at("lights", int(n), ".irradiance", glm::vec3(radiance));
         program.set_at("lights", int(n), ".toward", glm::vec3(toward));
+        program.set_at("lights", int(n), ".axis", axis);
+        program.set_at("lights", int(n), ".cone", cone);
     }
 }
 
@@ -77,8 +89,7 @@ std::vector<scene::Light> order_lights(const scene::Scene& scene) {
     std::vector<scene::Light> lights;
     for (const bool points : {false, true}) {
         for (const auto& [name, light] : scene.lights) {
-            const bool dark = !light->on || light->intensity == 0.0 || light->color == glm::dvec3(0.0);
-            if (!dark && (light->kind == scene::LightKind::point) == points) {
+            if (scene::shines(*light) && scene::has_position(*light) == points) {
                 lights.push_back(*light);
             }
         }
@@ -162,7 +173,7 @@ gl::Program& MarchPass::program(const PassAccess& access, const Parameters& para
     if (parameters.lit) {
         defines["LIT"] = "";
         const auto points = std::count_if(parameters.lights.begin(), parameters.lights.end(),
-                                          [](const auto& light) { return light.kind == scene::LightKind::point; });
+                                          [](const auto& light) { return scene::has_position(light); });
         defines["POINT_LIGHTS"] = std::to_string(points);
         defines["DIRECTIONAL_LIGHTS"] = std::to_string(std::ptrdiff_t(parameters.lights.size()) - points);
         for (const VolumeInput& input : parameters.volumes) {

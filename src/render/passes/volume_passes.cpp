@@ -84,7 +84,7 @@ void VolumePasses::update(const scene::Volume& volume, const scene::RenderSettin
     const TableParameters parameters{
         volume.optics->density_scale * segment / volume.transfer_function->reference_length,
         settings.classification == scene::Classification::preintegrated,
-        volume.optics->lighting != scene::VolumeLighting::none};
+        volume.optics->lighting != scene::VolumeLighting::none, volume.optics->emission};
     graph_.set_parameters(tabulate_, parameters);
     graph_.set_execute(tabulate_, [this, parameters](const PassAccess& access) {
         TableTextures& out = access.write(tables);
