@@ -1,6 +1,7 @@
 #version 450 core
 // Emission and absorption of measured volumes along each pixel's ray, over the background.
-// VOLUMES: how many. LIT: gradient shading. GLOW: some volume shines by itself.
+// VOLUMES: how many. LIT: lights matter; REFLECT: for surfaces (gradient shading), SCATTER: for scattering media, SURFACES:
+// for media that are also shaded as surfaces. GLOW: some volume shines by itself.
 // SAMPLE_AT_MIDPOINTS, LEAP, STOP_EARLY, COUNT: see include/march.glsl.
 
 #include "include/random.glsl"

@@ -93,8 +93,39 @@ Sample medium_sample(float t)
     return s;
 }
 
+// Extinction at a point, in the tables' unit.
+float sigma_at(int m, vec3 x)
+{
+    float texel = textureLod(voxels[m], x, 0.0).x;
+#ifdef SAMPLE_AT_MIDPOINTS
+    return textureLod(optics_table[m], texel * optics_from_voxel[m].x + optics_from_voxel[m].y, 0.0).x;
+#else
+    float u = clamp(texel * u_from_voxel[m].x + u_from_voxel[m].y, 0.0, 1.0);
+    return textureLod(depth_table[m], table_coordinate(u, depth_entries), 0.0).y;
+#endif
+}
+
 #ifdef LIT
+#include "include/lights.glsl"
+#if defined(REFLECT) || defined(SURFACES)
 #include "include/gradient_shading.glsl"
+#endif
+#ifdef SCATTER
+#include "include/scattering.glsl"
+#endif
+
+// Light sent towards the eye by matter at parameter t that covers `weight` of the pixel, with `color` its colour times
+// that weight.
+vec3 lit_source(int m, vec3 color, float weight, float t)
+{
+#if defined(SCATTER) && defined(REFLECT)
+    return scatter_kind[m] != 0 ? scattered_source(m, color, weight, t) : reflected_source(m, color, weight, t);
+#elif defined(SCATTER)
+    return scatter_kind[m] != 0 ? scattered_source(m, color, weight, t) : color;
+#else
+    return reflected_source(m, color, weight, t);
+#endif
+}
 
 // The segment judged last, per volume.
 float segment_tau[VOLUMES];
@@ -167,7 +198,14 @@ bool medium_segment(Sample front, Sample back, float t_front, float t_back, out 
 #ifdef LIT
         segment_tau[m] = part_tau;
         segment_source[m] = part_source;
+#ifdef SCATTER
+        // Where the light that reaches the eye comes from on average: near the front of dense matter.
+        float seen = part_tau < 0.05 ? 0.5 - part_tau * (1.0 / 12.0)
+                                     : 1.0 / part_tau - 1.0 / (exp(min(part_tau, 80.0)) - 1.0);
+        segment_t[m] = mix(part_front, part_back, seen);
+#else
         segment_t[m] = 0.5 * (part_front + part_back);
+#endif
 #ifdef GLOW
         // Light of its own is not lit, so it has a table apart.
 #ifdef SAMPLE_AT_MIDPOINTS

@@ -13,6 +13,11 @@ class Buffer : public Object<BufferTraits> {
     Buffer(std::string_view label, std::span<const T> contents) : Object(label), bytes_(contents.size_bytes()) {
         glNamedBufferStorage(name(), GLsizeiptr(bytes_), contents.data(), GL_DYNAMIC_STORAGE_BIT);
     }
+    /// Contents undefined; only shaders write it.
+    Buffer(std::string_view label, std::size_t bytes) : Object(label), bytes_(bytes) {
+        glNamedBufferStorage(name(), GLsizeiptr(bytes_), nullptr, 0);
+    }
+    void bind_storage(GLuint binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name()); }
     template <class T>
     void fill(std::span<const T> contents) {
         glNamedBufferSubData(name(), 0, GLsizeiptr(contents.size_bytes()), contents.data());

@@ -25,6 +25,7 @@ class Program : public Object<ProgramTraits> {
     void set(const char* uniform, glm::vec3 v) { glProgramUniform3f(name(), at(uniform), v.x, v.y, v.z); }
     void set(const char* uniform, glm::ivec2 v) { glProgramUniform2i(name(), at(uniform), v.x, v.y); }
     void set(const char* uniform, glm::ivec3 v) { glProgramUniform3i(name(), at(uniform), v.x, v.y, v.z); }
+    void set(const char* uniform, glm::ivec4 v) { glProgramUniform4i(name(), at(uniform), v.x, v.y, v.z, v.w); }
     void set(const char* uniform, const glm::mat3& m) {
         glProgramUniformMatrix3fv(name(), at(uniform), 1, GL_FALSE, &m[0][0]);
     }

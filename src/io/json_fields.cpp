@@ -246,7 +246,10 @@ void check_version(const json& document, const char* key, std::int64_t newest, c
 std::string join_path(const std::string& where, std::string_view key) {
     // "scene.json:" ends a file's name and takes a blank, a key takes a dot.
     const std::string_view between = where.empty() ? "" : where.back() == ':' ? " " : ".";
-    return fmt::format("{}{}{}", where, between, key);
+    std::string path = fmt::format("{}{}{}", where, between, key);
+    // A key may hold control characters; a zero would end the sentence before it began.
+    std::replace_if(path.begin(), path.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
+    return path;
 }
 
 }  // namespace bruma::io

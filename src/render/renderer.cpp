@@ -32,6 +32,7 @@ void Renderer::update(const scene::Scene& scene, const View& view) {
             volumes_[name] = std::make_unique<VolumePasses>(graph_, name);
         }
     }
+    update_lights(scene, shown, step_world(scene));
     std::erase_if(volumes_, [&](const auto& entry) {
         const bool gone = std::find(shown.begin(), shown.end(), entry.first) == shown.end();
         if (gone) {
@@ -43,7 +44,36 @@ void Renderer::update(const scene::Scene& scene, const View& view) {
     for (const auto& [name, passes] : volumes_) {
         passes->update(std::get<scene::Volume>(scene.nodes.at(name).content), *scene.rendering, step);
     }
-    march_.update(scene, volumes_, view, step);
+    march_.update(scene, volumes_, lights_, view, step);
+}
+
+void Renderer::update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world) {
+    std::map<std::string, scene::Light> shining;
+    for (const auto& [name, light] : scene.lights) {
+        if (scene::shines(*light)) {
+            shining.emplace(name, *light);
+        }
+    }
+    const glm::dvec3 back = scene::camera_frame(**scene.camera).back_world;
+    // A volume that scatters nothing, or in the dark, needs no light.
+    const auto needs_light = [&](const std::string& name) {
+        const auto& optics = *std::get<scene::Volume>(scene.nodes.at(name).content).optics;
+        return scene::scatters(optics.lighting) && (optics.albedo != glm::dvec3(0.0) || optics.surfaces) &&
+               !shining.empty();
+    };
+    std::erase_if(lights_, [&](const auto& entry) {
+        return std::find(shown.begin(), shown.end(), entry.first) == shown.end() || !needs_light(entry.first);
+    });
+    for (const std::string& name : shown) {
+        if (needs_light(name)) {
+            auto& passes = lights_[name];
+            if (!passes) {
+                passes = std::make_unique<LightPasses>(graph_, shaders_, name, *volumes_.at(name));
+            }
+            passes->update(std::get<scene::Volume>(scene.nodes.at(name).content),
+                           scene::world_from_texture(scene, name), shining, back, step_world);
+        }
+    }
 }
 
 const RunReport& Renderer::render(const scene::Scene& scene, const View& view, bool measure_gpu) {

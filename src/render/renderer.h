@@ -40,11 +40,13 @@ class Renderer {
 
   private:
     void update(const scene::Scene& scene, const View& view);
+    void update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world);
 
     FrameGraph graph_;
     gl::ShaderLibrary& shaders_;
     MarchPass march_;
     MarchPass::Volumes volumes_;
+    MarchPass::Lights lights_;  ///< of the volumes that scatter
 };
 
 }  // namespace bruma::render

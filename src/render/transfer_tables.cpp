@@ -80,7 +80,8 @@ std::vector<glm::vec4> preintegrate_source(const std::vector<double>& sigma, con
             layers[std::size_t(n)] = {source[std::size_t(n)] * opacity, opacity, 1.0 - opacity};
         }
         const auto if_empty = [&](int first) {
-            return 0.5 * (source_at_entries[std::size_t(first)] + source_at_entries[std::size_t(first) + std::size_t(width)]);
+            return 0.5 *
+                   (source_at_entries[std::size_t(first)] + source_at_entries[std::size_t(first) + std::size_t(width)]);
         };
         windows(layers, width, suffixes, [&](int first, const Layer& product) {
             at(first, first + width) = mean_source(product, if_empty(first));
@@ -106,7 +107,9 @@ TransferTables make_transfer_tables(const scene::TransferFunction& tf, const Tab
         const glm::dvec3 c = scene::color_at(tf, u);
         const glm::dvec3 own = c * (parameters.emission + scene::emission_at(tf, u));
         tables.glows = tables.glows || own != glm::dvec3(0.0);
-        color[std::size_t(n)] = parameters.lit ? c : c + own;
+        color[std::size_t(n)] = parameters.scatters ? glm::min(parameters.albedo * c, glm::dvec3(1.0))
+                                : parameters.lit    ? c
+                                                    : c + own;
         glow[std::size_t(n)] = own;
     }
     tables.glows = tables.glows && parameters.lit;

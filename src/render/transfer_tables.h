@@ -28,6 +28,8 @@ struct TableParameters {
     bool preintegrated = true;      ///< whether the 2-D tables are wanted
     bool lit = false;               ///< glow is kept apart from the colour that lights act on
     double emission = 0.0;          ///< added to the transfer function's
+    bool scatters = false;          ///< colour is albedo: times `albedo`, at most 1
+    glm::dvec3 albedo{1.0};
     bool operator==(const TableParameters&) const = default;
 };
 

@@ -38,14 +38,15 @@ struct LightVolumeSettings {
     LightResolution resolution = LightResolution::half;
     LightPrecision precision = LightPrecision::half;
     bool diffuse = true;  ///< physical: light scattered more than once, forward only
-    /// physical: standard deviation of the diffuse light's sideways spread once it has crossed the volume's longest
-    /// edge, as a share of that edge. The variance grows in proportion to the way.
-    double spread = 0.1;
+    /// physical: standard deviation of the sideways step that each scattering makes, as a share of the volume's longest
+    /// edge; n scatterings spread light by sqrt(n) times as much, at any resolution.
+    double spread = 0.03;
     std::int64_t near_steps = 2;  ///< samples of the data towards the light at each lookup, below the grid's resolution
     double cone_angle_deg = 30.0;  ///< paper: half-angle of the kernel
     bool soft_shadows = false;     ///< paper: blur attenuated light with the same kernel
     bool toward_eye = false;       ///< paper: a second sweep from the far side to the eye; reruns when the camera moves
-    std::int64_t slices_per_dispatch = 4;  ///< slices swept by one compute dispatch; changes the cost only
+    std::int64_t slices_per_dispatch =
+        0;  ///< slices swept by one launch; 0: chosen by their size. Changes the cost only
     bool operator==(const LightVolumeSettings&) const = default;
 };
 
@@ -63,11 +64,10 @@ void visit_fields(Self& settings, Visitor&& visit) {
     visit(Field{.name = "diffuse", .sentence = "physical: add light scattered more than once (forward only)"},
           settings.diffuse);
     visit(Field{.name = "spread",
-                .sentence =
-                    "physical: sideways spread of diffuse light across the volume, as a share of its longest edge",
+                .sentence = "physical: sideways step of each scattering, as a share of the volume's longest edge",
                 .min = 0.0,
                 .max = 1.0,
-                .panel_max = 0.5},
+                .panel_max = 0.2},
           settings.spread);
     visit(Field{.name = "near_steps",
                 .sentence = "samples of the data towards the light at each lookup, for shadows finer than the grid",
@@ -89,11 +89,10 @@ void visit_fields(Self& settings, Visitor&& visit) {
         Field{.name = "toward_eye", .sentence = "paper: a second sweep towards the eye, redone when the camera moves"},
         settings.toward_eye);
     visit(Field{.name = "slices_per_dispatch",
-                .sentence = "slices swept by one launch on the GPU; changes the time, not the picture",
-                .min = 1,
-                .max = 8,
-                .panel_min = 1.0,
-                .panel_max = 8.0},
+                .sentence = "slices swept by one launch on the GPU, 0: chosen; changes the time, not the picture",
+                .min = 0,
+                .max = 4096,
+                .panel_max = 64.0},
           settings.slices_per_dispatch);
 }
 

@@ -124,7 +124,7 @@ TEST_F(GraphPins, WithoutLightingNothingOfItIsMade) {
     EXPECT_EQ(reruns(), Names{}) << "a light that lights nothing";
 
     volume_in(scene).optics.edit([](scene::VolumeOptics& optics) { lit(optics); });
-    EXPECT_EQ(reruns(), (Names{"march", "volume: differentiate", "volume: occupancy", "volume: tables"}));
+    EXPECT_EQ(reruns(), (Names{"march", "volume: differentiate", "volume: tables"}));
     scene.lights.at("key").edit([](scene::Light& light) { light.intensity = 3.0; });
     EXPECT_EQ(reruns(), (Names{"march"}));
     volume_in(scene).optics.edit([](scene::VolumeOptics& optics) { optics.lighting = scene::VolumeLighting::none; });

@@ -84,17 +84,22 @@ scene::Camera started_near(const scene::Camera& camera, const std::vector<glm::d
     return nearer;
 }
 
-/// The lights that shine, directional ones first. Black ones cost nothing.
-std::vector<scene::Light> order_lights(const scene::Scene& scene) {
-    std::vector<scene::Light> lights;
+/// Names of the lights that shine, directional ones first. Black ones cost nothing.
+std::vector<std::string> order_lights(const scene::Scene& scene) {
+    std::vector<std::string> lights;
     for (const bool points : {false, true}) {
         for (const auto& [name, light] : scene.lights) {
             if (scene::shines(*light) && scene::has_position(*light) == points) {
-                lights.push_back(*light);
+                lights.push_back(name);
             }
         }
     }
     return lights;
+}
+
+/// Whether the volume's surfaces are shaded by the gradient of its data.
+bool reflects(const scene::VolumeOptics& optics) {
+    return optics.lighting == scene::VolumeLighting::gradient || (scene::scatters(optics.lighting) && optics.surfaces);
 }
 
 void set_surface(gl::Program& program, int index, const scene::VolumeOptics& optics) {
@@ -105,8 +110,7 @@ void set_surface(gl::Program& program, int index, const scene::VolumeOptics& opt
     program.set_at("surface", index, ".blinn_phong", optics.highlight == scene::Highlight::blinn_phong ? 1 : 0);
     program.set_at("surface", index, ".two_sided", optics.two_sided ? 1 : 0);
     // Unlit among lit ones: no gradient is ever steep enough.
-    const bool lit = optics.lighting != scene::VolumeLighting::none;
-    program.set_at("surface", index, ".soft_from", lit ? float(optics.gradient_soft_from) : 1e30F);
+    program.set_at("surface", index, ".soft_from", reflects(optics) ? float(optics.gradient_soft_from) : 1e30F);
     const double width = optics.gradient_soft_to - optics.gradient_soft_from;
     program.set_at("surface", index, ".soft_inverse_width", float(width > 1e-20 ? 1.0 / width : 1e20));
 }
@@ -124,12 +128,14 @@ MarchPass::MarchPass(FrameGraph& graph, gl::ShaderLibrary& shaders) : graph_(gra
     count_ = graph.add_pass({"count samples", "the same march, counting what it looks up", {}, {counts.index}, {}});
 }
 
-void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const View& view, double step_world) {
+void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights, const View& view,
+                       double step_world) {
     graph_.set_source(camera_, **scene.camera, scene.camera->revision());
     graph_.set_source(background_, *scene.background, scene.background.revision());
     graph_.set_source(shader_revision_, 0, shaders_.revision());
 
     Parameters parameters{view, *scene.rendering, step_world * view.step_scale, {}, {}, false};
+    const std::vector<std::string> shining = order_lights(scene);
     std::vector<int> reads{camera_.index, background_.index, shader_revision_.index};
     for (const auto& [name, passes] : volumes) {
         const auto& volume = std::get<scene::Volume>(scene.nodes.at(name).content);
@@ -143,19 +149,35 @@ void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const 
                           *volume.optics,
                           scene::effective_window(volume),
                           volume.optics->density_scale / volume.transfer_function->reference_length,
-                          grid.largest > grid.smallest ? grid.largest - grid.smallest : 1.0};
+                          grid.largest > grid.smallest ? grid.largest - grid.smallest : 1.0,
+                          *volume.light_volume,
+                          {},
+                          {}};
         reads.insert(reads.end(), {input.voxels.index, input.tables.index});
         if (scene.rendering->empty_space_skipping) {
             reads.push_back(input.emptiness.index);
         }
-        if (input.optics.lighting != scene::VolumeLighting::none) {
+        parameters.lit = parameters.lit || input.optics.lighting != scene::VolumeLighting::none;
+        if (reflects(input.optics)) {
             reads.push_back(input.gradients.index);
-            parameters.lit = true;
+        }
+        if (const auto found = lights.find(name); found != lights.end()) {
+            input.light_grid = found->second->grid();
+            for (const std::string& light : shining) {
+                const LightPasses::Lamp& lamp = found->second->lamps().at(light);
+                input.lamps.push_back(lamp);
+                reads.push_back(lamp.direct.index);
+                if (lamp.beside.index >= 0 && lamp.beside != lamp.direct) {
+                    reads.push_back(lamp.beside.index);
+                }
+            }
         }
         parameters.volumes.push_back(std::move(input));
     }
     if (parameters.lit) {
-        parameters.lights = order_lights(scene);
+        for (const std::string& light : shining) {
+            parameters.lights.push_back(*scene.lights.at(light));
+        }
     }
     for (const PassId pass : {march_, count_}) {
         graph_.set_reads(pass, reads);
@@ -176,13 +198,30 @@ gl::Program& MarchPass::program(const PassAccess& access, const Parameters& para
                                           [](const auto& light) { return scene::has_position(light); });
         defines["POINT_LIGHTS"] = std::to_string(points);
         defines["DIRECTIONAL_LIGHTS"] = std::to_string(std::ptrdiff_t(parameters.lights.size()) - points);
+        std::int64_t near_steps = 0;
         for (const VolumeInput& input : parameters.volumes) {
-            if (input.optics.specular > 0.0) {
-                defines["HIGHLIGHTS"] = "";
+            if (scene::scatters(input.optics.lighting)) {
+                defines["SCATTER"] = "";
+                near_steps = std::max(near_steps, input.light_volume.near_steps);
+                if (std::any_of(input.lamps.begin(), input.lamps.end(),
+                                [](const auto& lamp) { return lamp.beside.index >= 0; })) {
+                    defines["DIFFUSE_LIGHT"] = "";
+                }
+            }
+            if (reflects(input.optics)) {
+                defines[scene::scatters(input.optics.lighting) ? "SURFACES" : "REFLECT"] = "";
+                if (input.optics.specular > 0.0) {
+                    defines["HIGHLIGHTS"] = "";
+                }
             }
             if (access.read(input.tables).tables.glows) {
                 defines["GLOW"] = "";
             }
+        }
+        if (defines.contains("SCATTER")) {
+            defines["NEAR_STEPS"] = std::to_string(near_steps);
+        } else {
+            defines["REFLECT"] = "";  // only unlit volumes glow without it
         }
     }
     if (parameters.settings.classification == scene::Classification::post) {
@@ -263,8 +302,9 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
     }
     if (parameters.lit) {
         set_surface(program, index, input.optics);
+        bind_light(access, program, parameters, index, unit);
     }
-    if (input.optics.lighting != scene::VolumeLighting::none) {
+    if (reflects(input.optics)) {
         const GradientTexture& gradients = access.read(input.gradients);
         bind("gradients", gradients.texture);
         const glm::dvec3 size(voxels.texture.size());
@@ -283,6 +323,35 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
         program.set_at("gradient_zero", index, "", glm::vec3(float(gradients.texel_of_zero)));
     } else if (parameters.lit) {
         bind("gradients", gl::Texture());
+    }
+}
+
+void MarchPass::bind_light(const PassAccess& access, gl::Program& program, const Parameters& parameters, int index,
+                           GLuint& unit) const {
+    const VolumeInput& input = parameters.volumes[std::size_t(index)];
+    const bool scatters = scene::scatters(input.optics.lighting);
+    const bool paper = input.optics.lighting == scene::VolumeLighting::light_volume &&
+                       input.light_volume.mode == scene::SweepMode::paper;
+    program.set_at("scatter_kind", index, "", !scatters ? 0 : paper ? 2 : 1);
+    program.set_at("asymmetry", index, "", float(input.optics.g));
+    const glm::dvec3 extent = input.clip.high - input.clip.low;
+    program.set_at("grid_from_texture_scale", index, "", glm::vec3(1.0 / extent));
+    program.set_at("grid_from_texture_shift", index, "", glm::vec3(-input.clip.low / extent));
+    program.set_at("light_cells", index, "", glm::vec3(glm::dvec3(input.light_grid.cells) / extent));
+    const glm::dmat3 texture_from_world(glm::inverse(input.world_from_texture));
+    program.set_at("texture_from_world", index, "", glm::mat3(texture_from_world * parameters.step_world));
+    const gl::Texture none;
+    for (std::size_t n = 0; n < parameters.lights.size(); ++n) {
+        const auto lamp = n < input.lamps.size() ? input.lamps[n] : LightPasses::Lamp{};
+        const auto bind = [&](const char* sampler, const gl::Texture& texture) {
+            texture.bind(unit);
+            program.set_at(sampler, index * int(parameters.lights.size()) + int(n), "", int(unit));
+            ++unit;
+        };
+        if (scatters || lamp.direct.index >= 0) {
+            bind("direct_light", lamp.direct.index >= 0 ? access.read(lamp.direct).direct : none);
+            bind("diffuse_light", lamp.beside.index >= 0 ? access.read(lamp.beside).beside : none);
+        }
     }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gl/shader_library.h"
+#include "render/passes/light_passes.h"
 #include "render/passes/volume_passes.h"
 
 namespace bruma::render {
@@ -36,8 +37,10 @@ class MarchPass {
     MarchPass(FrameGraph& graph, gl::ShaderLibrary& shaders);
 
     using Volumes = std::map<std::string, std::unique_ptr<VolumePasses>>;
-    /// Hands the graph this frame's sources and parameters.
-    void update(const scene::Scene& scene, const Volumes& volumes, const View& view, double step_world);
+    using Lights = std::map<std::string, std::unique_ptr<LightPasses>>;
+    /// Hands the graph this frame's sources and parameters. `lights`: of the volumes that scatter.
+    void update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights, const View& view,
+                double step_world);
 
     Handle<Picture> picture;
     Handle<SampleCounts> counts;
@@ -54,6 +57,9 @@ class MarchPass {
         std::array<double, 2> window{0.0, 1.0};
         double tau_per_sigma_metre = 1.0;  ///< density / reference length
         double data_range = 1.0;
+        scene::LightVolumeSettings light_volume;
+        LightGrid light_grid;
+        std::vector<LightPasses::Lamp> lamps;  ///< in the order of Parameters::lights
         bool operator==(const VolumeInput&) const = default;
     };
     struct Parameters {
@@ -62,12 +68,14 @@ class MarchPass {
         double step_world = 1.0;
         std::vector<VolumeInput> volumes;
         std::vector<scene::Light> lights;
-        bool lit = false;
+        bool lit = false;  ///< lights matter
         bool operator==(const Parameters&) const = default;
     };
 
     void draw(const PassAccess& access, const Parameters& parameters, bool counting);
     gl::Program& program(const PassAccess& access, const Parameters& parameters, bool counting);
+    void bind_light(const PassAccess& access, gl::Program& program, const Parameters& parameters, int index,
+                    GLuint& unit) const;
     void bind_volume(const PassAccess& access, gl::Program& program, const Parameters& parameters, int index,
                      GLuint& unit, const scene::Camera& camera);
 

@@ -31,7 +31,7 @@ gl::Texture upload_2d(const std::string& label, const std::vector<glm::vec4>& da
 
 VolumePasses::VolumePasses(FrameGraph& graph, const std::string& name) : graph_(graph) {
     grid_ = graph.add_source<Grid>(name + ": data");
-    transfer_function_ = graph.add_source<scene::TransferFunction>(name + ": transfer function");
+    transfer_function = graph.add_source<scene::TransferFunction>(name + ": transfer function");
     voxels = graph.add_product<VolumeTexture>(name + ": voxels");
     gradients = graph.add_product<GradientTexture>(name + ": gradients");
     ranges_ = graph.add_product<CellRanges>(name + ": cell ranges");
@@ -65,30 +65,33 @@ VolumePasses::VolumePasses(FrameGraph& graph, const std::string& name) : graph_(
                              }});
     tabulate_ = graph.add_pass({name + ": tables",
                                 "tabulates the transfer function, pre-integrated for this step",
-                                {transfer_function_.index},
+                                {transfer_function.index},
                                 {tables.index},
                                 {}});
     find_empty_ = graph.add_pass({name + ": occupancy",
                                   "which macrocells hold anything visible, and how far the next is",
-                                  {ranges_.index, tables.index, grid_.index},
+                                  {ranges_.index, transfer_function.index, grid_.index},
                                   {emptiness.index},
                                   {}});
 }
 
 void VolumePasses::update(const scene::Volume& volume, const scene::RenderSettings& settings, double step_world) {
     graph_.set_source(grid_, *volume.grid, volume.grid.revision());
-    graph_.set_source(transfer_function_, *volume.transfer_function, volume.transfer_function.revision());
+    graph_.set_source(transfer_function, *volume.transfer_function, volume.transfer_function.revision());
 
     // Refined segments are halves where they are not finer still, so that is the length to be exact for.
     const double segment = step_world * (settings.refine ? 0.5 : 1.0);
     const TableParameters parameters{
         volume.optics->density_scale * segment / volume.transfer_function->reference_length,
         settings.classification == scene::Classification::preintegrated,
-        volume.optics->lighting != scene::VolumeLighting::none, volume.optics->emission};
+        volume.optics->lighting != scene::VolumeLighting::none,
+        volume.optics->emission,
+        scene::scatters(volume.optics->lighting),
+        volume.optics->albedo};
     graph_.set_parameters(tabulate_, parameters);
     graph_.set_execute(tabulate_, [this, parameters](const PassAccess& access) {
         TableTextures& out = access.write(tables);
-        out.tables = make_transfer_tables(access.read(transfer_function_), parameters);
+        out.tables = make_transfer_tables(access.read(transfer_function), parameters);
         out.optics = upload_1d("optics table", GL_RGBA32F, GL_RGBA, out.tables.optics.data());
         out.depth = upload_1d("depth table", GL_RG32F, GL_RG, out.tables.depth.data());
         out.source = upload_2d("source table", out.tables.source);
@@ -100,8 +103,8 @@ void VolumePasses::update(const scene::Volume& volume, const scene::RenderSettin
     graph_.set_execute(find_empty_, [this, window](const PassAccess& access) {
         const double width = window.window[1] - window.window[0];
         const CellRanges& ranges = access.read(ranges_);
-        const Emptiness found =
-            find_emptiness(ranges, access.read(tables).tables, {1.0 / width, -window.window[0] / width});
+        const TransferTables curves = make_transfer_tables(access.read(transfer_function), {.preintegrated = false});
+        const Emptiness found = find_emptiness(ranges, curves, {1.0 / width, -window.window[0] / width});
         EmptinessTexture& out = access.write(emptiness);
         out.edge = ranges.edge;
         out.voxels = access.read(grid_)->size;
@@ -118,7 +121,7 @@ void VolumePasses::remove() {
         graph_.remove_pass(pass);
     }
     graph_.remove_source(grid_.index);
-    graph_.remove_source(transfer_function_.index);
+    graph_.remove_source(transfer_function.index);
 }
 
 }  // namespace bruma::render

@@ -9,7 +9,7 @@
 
 namespace bruma::render {
 
-/// Transfer tables on the GPU, with the CPU's copy for the emptiness test.
+/// Transfer tables on the GPU, with the CPU's copy.
 struct TableTextures {
     TransferTables tables;
     gl::Texture optics, depth, source, glow;
@@ -34,11 +34,11 @@ class VolumePasses {
     Handle<GradientTexture> gradients;
     Handle<TableTextures> tables;
     Handle<EmptinessTexture> emptiness;
+    Handle<scene::TransferFunction> transfer_function;
 
   private:
     FrameGraph& graph_;
     Handle<std::shared_ptr<const scene::VolumeGrid>> grid_;
-    Handle<scene::TransferFunction> transfer_function_;
     Handle<CellRanges> ranges_;
     PassId upload_, differentiate_, range_, tabulate_, find_empty_;
 };

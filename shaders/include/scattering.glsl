@@ -1,0 +1,88 @@
+// Light scattered to the eye inside a volume: single scattering with the phase function of Henyey and Greenstein (1941)
+// from a grid of direct light, and what was scattered before from a grid of diffuse light, each one texture per light.
+// Below the grid's resolution the last stretch to the light is looked up in the data themselves.
+// DIFFUSE_LIGHT: there is such a grid. SURFACES: surfaces are shaded by their normals as well. NEAR_STEPS: samples.
+
+uniform sampler3D direct_light[VOLUMES * light_count + 1];
+uniform sampler3D diffuse_light[VOLUMES * light_count + 1];
+uniform vec3 grid_from_texture_scale[VOLUMES];  // texture space -> [0,1] over the light grid
+uniform vec3 grid_from_texture_shift[VOLUMES];
+uniform vec3 light_cells[VOLUMES];              // cells of the light grid per unit of texture space
+uniform mat3 texture_from_world[VOLUMES];       // texture space per step
+uniform float asymmetry[VOLUMES];               // g
+uniform int scatter_kind[VOLUMES];              // 0: not a scattering volume, 1: physical, 2: chromaticity
+const float near_cells = NEAR_STEPS > 0 ? 1.5 : 0.5;
+
+// The phase function times 4 pi; `cosine` between the ways of travel before and after.
+float phase_4pi(float g, float cosine)
+{
+    float inverse = inversesqrt(max(1.0 + g * g - 2.0 * g * cosine, 1e-6));
+    return (1.0 - g * g) * inverse * inverse * inverse;
+}
+
+// Share of the direct light of light n that arrives at x, and where its grids are to be looked up.
+float arriving_light(int m, int n, vec3 x, Incident incident, out vec3 lookup)
+{
+    vec3 way = texture_from_world[m] * incident.toward;
+    vec3 cells_per_step = abs(way) * light_cells[m];
+    float rate = max(max(cells_per_step.x, cells_per_step.y), max(cells_per_step.z, 1e-20));
+    vec3 room = mix(x - ray_volumes[m].low, ray_volumes[m].high - x, greaterThan(way, vec3(0.0)));
+    vec3 exits = max(room, 0.0) / max(abs(way), vec3(1e-20));
+    float outside = min(incident.distance, min(exits.x, min(exits.y, exits.z)));
+    float reach = min(near_cells / rate, outside);
+    float transmittance = 1.0;
+#if NEAR_STEPS > 0
+    float depth = 0.0;
+    for (int k = 0; k < NEAR_STEPS; ++k) {
+        depth += sigma_at(m, x + way * (reach * ((float(k) + 0.5) / float(NEAR_STEPS))));
+    }
+    transmittance = 1.0 - opacity_of(depth * (reach / float(NEAR_STEPS)) * tau_scale[m]);
+#endif
+    lookup = (x + way * reach) * grid_from_texture_scale[m] + grid_from_texture_shift[m];
+    // Cells at the border hold light from inside of them: over their outer half it is led to what comes from outside.
+    float inside = clamp(2.0 * rate * (outside - reach), 0.0, 1.0);
+    float direct = textureLod(direct_light[m * light_count + n], lookup, 0.0).x;
+    return transmittance * mix(1.0, direct, inside);
+}
+
+vec3 scattered_source(int m, vec3 color, float weight, float t)
+{
+    vec3 x = ray_volumes[m].origin + t * ray_volumes[m].direction;
+    vec3 light = vec3(0.0);
+#ifdef SURFACES
+    SurfacePoint point = surface_at(m, x);
+    vec3 reflected_light = vec3(0.0);
+#endif
+    for (int n = 0; n < light_count; ++n) {
+        Incident incident = n < DIRECTIONAL_LIGHTS ? incident_from_afar(n) : incident_from_point(n, t);
+        vec3 lookup;
+        float direct = arriving_light(m, n, x, incident, lookup);
+        vec3 chromaticity = vec3(1.0);
+        vec3 diffuse = vec3(0.0);
+#ifdef DIFFUSE_LIGHT
+        vec3 beside = textureLod(diffuse_light[m * light_count + n], lookup, 0.0).xyz;
+        if (scatter_kind[m] == 2) {
+            chromaticity = 4.0 * beside;
+        } else {
+            diffuse = beside;
+        }
+#endif
+        // Irradiance is over pi: p E = phase_4pi / 4 * (E / pi).
+        float phase = scatter_kind[m] == 2 ? 1.0 : phase_4pi(asymmetry[m], dot(incident.toward, ray_direction_world));
+        vec3 by_phase = 0.25 * incident.irradiance * (phase * direct * chromaticity + diffuse);
+#ifdef SURFACES
+        Reflected reflected = Reflected(vec3(0.0), vec3(0.0));
+        reflect_light(surface[m], incident.toward, incident.irradiance * direct, point.normal, -ray_direction_world,
+                      point.facing_eye, reflected);
+        light += mix(by_phase, reflected.diffuse + 0.25 * incident.irradiance * diffuse, point.shaded);
+        reflected_light += point.shaded * reflected.highlight;
+#else
+        light += by_phase;
+#endif
+    }
+#ifdef SURFACES
+    return color * light + weight * reflected_light;
+#else
+    return color * light;
+#endif
+}

@@ -1,0 +1,41 @@
+#pragma once
+#include <array>
+
+#include "gl/shader_library.h"
+#include "gl/texture.h"
+#include "render/light_sweep_plan.h"
+
+namespace bruma::render {
+
+/// What is swept through a light grid beside direct light.
+enum class SweptState { direct, diffuse, chromaticity };
+
+struct SweepSettings {
+    SweptState state = SweptState::direct;
+    double spread = 0.0;  ///< diffuse: see scene::LightVolumeSettings
+    double cone_angle_deg = 30.0;
+    double g = 0.0;
+    bool soft_shadows = false;
+    scene::LightPrecision precision = scene::LightPrecision::half;
+    /// Slices per dispatch: 1 spreads each slice over the whole GPU, more let one work group per axis take them in
+    /// turn, 0 chooses.
+    int slices_per_dispatch = 0;
+    bool operator==(const SweepSettings&) const = default;
+};
+
+struct SweptLight {
+    gl::Texture direct, beside;  ///< see LightTextures
+    int dispatches = 0;
+};
+
+/// Sweeps one light through a medium and combines the axes.
+SweptLight sweep_light(gl::ShaderLibrary& shaders, const gl::Texture& extinction, const gl::Texture& albedo,
+                       const SweepPlan& plan, const SweepSettings& settings);
+
+/// Weights of the 3 x 3 cells around the crossing of the previous slice, for light from within a cone about the way to
+/// the light, by the phase function over the solid angle of each cell; their sum is 1. Row by row; `cell` holds the
+/// cell's edges along u and v and the distance between slices, all in one unit; `shift_cells` is where the ray to the
+/// light crosses the previous slice.
+std::array<double, 9> cone_kernel(double g, double cone_angle_rad, glm::dvec3 cell, glm::dvec2 shift_cells);
+
+}  // namespace bruma::render
