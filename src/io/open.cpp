@@ -91,13 +91,16 @@ void add_volume(scene::Scene& scene, const std::string& name, scene::VolumeSourc
     scene.nodes.emplace(unique_name(scene, name), std::move(node));
 }
 
-scene::Scene whole_scene(const std::string& argument, FileKind kind, const Progress& progress, const Folders& folders) {
-    return kind == FileKind::scene ? read_scene_file(argument, progress, folders)
+using Settings = std::span<const std::string>;
+
+scene::Scene whole_scene(const std::string& argument, FileKind kind, Settings settings, const Progress& progress,
+                         const Folders& folders) {
+    return kind == FileKind::scene ? read_scene_file(argument, progress, folders, settings)
                                    : scene::builtin_scene(builtin_name(argument));
 }
 
 void add_without_light(scene::Scene& scene, const std::string& argument, const scene::VolumeSource& hints,
-                       const Progress& progress, const Folders& folders) {
+                       Settings settings, const Progress& progress, const Folders& folders) {
     const FileKind kind = kind_of(argument);
     if (kind == FileKind::scene || kind == FileKind::builtin_scene) {
         if (!scene.nodes.empty()) {
@@ -106,7 +109,7 @@ void add_without_light(scene::Scene& scene, const std::string& argument, const s
                             "alone",
                             argument));
         }
-        scene = whole_scene(argument, kind, progress, folders);
+        scene = whole_scene(argument, kind, settings, progress, folders);
         return;
     }
     scene::VolumeSource source;
@@ -144,7 +147,7 @@ scene::Scene open_files(std::span<const std::string> arguments, const scene::Vol
         const auto part = [&](double share, std::string_view what) {
             progress((double(n) + share) / double(arguments.size()), what);
         };
-        add_without_light(scene, arguments[n], hints, progress ? Progress(part) : Progress(), preset_folders);
+        add_without_light(scene, arguments[n], hints, settings, progress ? Progress(part) : Progress(), preset_folders);
     }
     add_default_light(scene);
     return settings.empty() ? scene : with_settings(scene, settings, progress, preset_folders);
@@ -153,7 +156,7 @@ scene::Scene open_files(std::span<const std::string> arguments, const scene::Vol
 void add_file(scene::Scene& scene, const std::string& argument, const scene::VolumeSource& hints,
               const Progress& progress, const Folders& preset_folders) {
     scene::Scene changed = scene;
-    add_without_light(changed, argument, hints, progress, preset_folders);
+    add_without_light(changed, argument, hints, {}, progress, preset_folders);
     add_default_light(changed);
     scene::check(changed);
     scene = std::move(changed);

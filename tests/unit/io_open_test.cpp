@@ -110,6 +110,35 @@ TEST(SceneFile, PathsFollowTheFile) {
     EXPECT_TRUE(contains(sentence, "no such file"));
 }
 
+TEST(SceneFile, ASettingReplacesAMissingFile) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("ramp_8x8x8_uint8.raw", ramp_bytes()).string();
+    const std::string path = folder
+                                 .write("one.json", R"({"bruma_scene": 1, "nodes": {"ramp": {"kind": "volume",
+        "ambient": 0.25, "source": {"file": "gone.raw", "size": [4, 4, 4], "type": "uint16"}}}})")
+                                 .string();
+    const auto open = [&](const std::vector<std::string>& files, const std::vector<std::string>& settings) {
+        return open_files(files, {}, settings);
+    };
+    EXPECT_TRUE(contains(refusal([&] { open({path}, {}); }), "gone.raw: no such file"));
+    const std::vector<std::string> settings{"nodes.ramp.source.file=" + file, "volume.source.size=[8, 8, 8]",
+                                            "nodes.ramp.source.type=uint8"};
+    const scene::Scene scene = open({path}, settings);
+    EXPECT_EQ((*volume_of(scene, "ramp").grid)->size, glm::ivec3(8));
+    EXPECT_EQ(volume_of(scene, "ramp").optics->ambient, 0.25);
+    EXPECT_EQ((*volume_of(open({path}, {"nodes.ramp.source={\"file\": \"" + file + "\"}"}), "ramp").grid)->size,
+              glm::ivec3(8));
+
+    // A setting for a volume that a later file adds waits for it; one for a volume that nobody adds is refused.
+    const std::vector<std::string> both{path, "builtin:bucky"};
+    std::vector<std::string> more = settings;
+    more.emplace_back("nodes.bucky.source.spacing=[1, 1, 1]");
+    more[1] = "nodes.ramp.source.size=[8, 8, 8]";
+    EXPECT_EQ(open(both, more).nodes.size(), 2U);
+    more.emplace_back("nodes.nobody.source.file=x.raw");
+    EXPECT_TRUE(contains(refusal([&] { open(both, more); }), "there is no 'nobody' here"));
+}
+
 TEST(SceneFile, EveryBuiltinSceneCanBeSavedAndReadBack) {
     const TemporaryFolder folder;
     for (const std::string& name : scene::builtin_scene_names()) {

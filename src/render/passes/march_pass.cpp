@@ -141,7 +141,7 @@ void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const 
             reads.push_back(input.gradients.index);
             parameters.lit = true;
         }
-        parameters.volumes.push_back(std::move(input));
+        parameters.volumes.push_back(input);
     }
     if (parameters.lit) {
         parameters.lights = order_lights(scene);
