@@ -154,9 +154,9 @@ scene::Scene open_files(std::span<const std::string> arguments, const scene::Vol
 }
 
 void add_file(scene::Scene& scene, const std::string& argument, const scene::VolumeSource& hints,
-              const Progress& progress, const Folders& preset_folders) {
+              const Progress& progress, const Folders& preset_folders, Settings settings) {
     scene::Scene changed = scene;
-    add_without_light(changed, argument, hints, {}, progress, preset_folders);
+    add_without_light(changed, argument, hints, settings, progress, preset_folders);
     add_default_light(changed);
     scene::check(changed);
     scene = std::move(changed);

@@ -19,9 +19,11 @@ scene::Scene open_files(std::span<const std::string> arguments, const scene::Vol
                         std::span<const std::string> settings, const Progress& progress = {},
                         const std::vector<std::filesystem::path>& preset_folders = {});
 
-/// Adds one more file, as open_files would. When it throws, the scene is as it was.
+/// Adds one more file, as open_files would; of the settings it applies those of a volume's source alone. When it throws,
+/// the scene is as it was.
 void add_file(scene::Scene& scene, const std::string& argument, const scene::VolumeSource& hints,
-              const Progress& progress = {}, const std::vector<std::filesystem::path>& preset_folders = {});
+              const Progress& progress = {}, const std::vector<std::filesystem::path>& preset_folders = {},
+              std::span<const std::string> settings = {});
 
 /// The scene with settings applied; grids whose source did not change are shared, the others are loaded.
 scene::Scene with_settings(const scene::Scene& scene, std::span<const std::string> settings,
