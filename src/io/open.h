@@ -19,8 +19,8 @@ scene::Scene open_files(std::span<const std::string> arguments, const scene::Vol
                         std::span<const std::string> settings, const Progress& progress = {},
                         const std::vector<std::filesystem::path>& preset_folders = {});
 
-/// Adds one more file, as open_files would; of the settings it applies those of a volume's source alone. When it throws,
-/// the scene is as it was.
+/// Adds one more file, as open_files would; of the settings it applies those of a volume's source alone. When it
+/// throws, the scene is as it was.
 void add_file(scene::Scene& scene, const std::string& argument, const scene::VolumeSource& hints,
               const Progress& progress = {}, const std::vector<std::filesystem::path>& preset_folders = {},
               std::span<const std::string> settings = {});

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t most_bytes = 64 << 20;
+constexpr std::int64_t most_scene_bytes = 64 << 20;
 
 void for_each_file(scene::Scene& scene, const std::function<fs::path(const fs::path&)>& change) {
     for (auto& [name, node] : scene.nodes) {
@@ -71,7 +71,7 @@ void change_sources(scene::Scene& scene, std::span<const std::string> settings, 
 
 scene::Scene read_scene_file(const fs::path& path, const Progress& progress,
                              const std::vector<fs::path>& preset_folders, std::span<const std::string> settings) {
-    const nlohmann::json document = parse_json(read_text_file(path, most_bytes), path.string());
+    const nlohmann::json document = parse_json(read_text_file(path, most_scene_bytes), path.string());
     const fs::path folder = path.parent_path();
     std::vector<fs::path> folders{folder.empty() ? fs::path(".") : folder};
     folders.insert(folders.end(), preset_folders.begin(), preset_folders.end());

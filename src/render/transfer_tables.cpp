@@ -80,7 +80,8 @@ std::vector<glm::vec4> preintegrate_source(const std::vector<double>& sigma, con
             layers[std::size_t(n)] = {source[std::size_t(n)] * opacity, opacity, 1.0 - opacity};
         }
         const auto if_empty = [&](int first) {
-            return 0.5 * (source_at_entries[std::size_t(first)] + source_at_entries[std::size_t(first) + std::size_t(width)]);
+            return 0.5 *
+                   (source_at_entries[std::size_t(first)] + source_at_entries[std::size_t(first) + std::size_t(width)]);
         };
         windows(layers, width, suffixes, [&](int first, const Layer& product) {
             at(first, first + width) = mean_source(product, if_empty(first));

@@ -25,7 +25,7 @@ inline std::span<const std::string_view> enum_words<Jitter>() {
 struct RenderSettings {
     Classification classification = Classification::preintegrated;
     bool refine = true;  ///< preintegrated: cut segments finer where the data bend under the transfer function
-    double step = 1.0;  ///< length of a segment of the march, in voxels (smallest spacing in world space)
+    double step = 1.0;   ///< length of a segment of the march, in voxels (smallest spacing in world space)
     bool empty_space_skipping = true;  ///< changes no bit of the picture
     bool early_termination = true;
     double stop_transmittance = 1.0 / 1024.0;  ///< rays end below this; error at most this times the largest radiance

@@ -50,6 +50,20 @@ TEST(Open, NamesNodesAfterFilesAndSetsThemSideBySide) {
     EXPECT_EQ(scene.lights.at("headlight")->kind, scene::LightKind::headlight);
 }
 
+TEST(Open, TurnsAVolumeAsItsSidecarSays) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("slab_4x8x16_uint8.raw", std::string(512, 'x')).string();
+    folder.write("slab_4x8x16_uint8.json", R"({"rotation": [-90, 0, 180]})");
+    const scene::Scene scene = open_files(std::vector{file, file}, {}, {});
+    EXPECT_EQ(scene.nodes.at("slab").transform->rotation_deg, glm::dvec3(-90.0, 0.0, 180.0));
+    // The axis -z is up now, so the box is 16 samples of 1 mm high.
+    const scene::Bounds bounds = scene::world_bounds(scene);
+    EXPECT_NEAR(bounds.high.y - bounds.low.y, 16e-3, 1e-12);
+    const glm::dvec4 up = scene::world_from_model(scene, "slab") * glm::dvec4(0.0, 0.0, -1.0, 0.0);
+    EXPECT_NEAR(up.y, 1.0, 1e-12);
+    EXPECT_NEAR(scene.nodes.at("slab_2").transform->translation.x, 4.4e-3, 1e-12) << "4 mm and a tenth";
+}
+
 TEST(Open, AppliesSettingsAndSharesTheGrids) {
     const TemporaryFolder folder;
     const std::string file = folder.write("ramp_8x8x8_uint8.raw", ramp_bytes()).string();
