@@ -36,7 +36,7 @@ template <class Enum>
 Enum word_value(const std::string& option, const std::string& word) {
     std::vector<std::string> words;
     for (const std::string_view known : scene::enum_words<Enum>()) {
-        if (word == known) {
+        if (same_word(word, known)) {
             return Enum(words.size());
         }
         words.emplace_back(known);

@@ -61,4 +61,9 @@ std::string suggestion(std::string_view word, std::span<const std::string> candi
     return tail;
 }
 
+bool same_word(std::string_view a, std::string_view b) {
+    const auto plain = [](char c) { return c == '-' ? '_' : c; };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return plain(x) == plain(y); });
+}
+
 }  // namespace bruma

@@ -12,4 +12,7 @@ std::string nearest_name(std::string_view word, std::span<const std::string> can
 /// "; did you mean 'X'?" or "; known are A, B, C" — the tail of every 'unknown name' message.
 std::string suggestion(std::string_view word, std::span<const std::string> candidates);
 
+/// Whether two words are the same when '-' and '_' are: people write blue-noise and blue_noise.
+bool same_word(std::string_view a, std::string_view b);
+
 }  // namespace bruma

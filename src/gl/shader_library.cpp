@@ -63,7 +63,7 @@ std::vector<std::string> ShaderLibrary::compiled_names() const {
     for (const auto& [key, program] : programs_) {
         std::string name = key.file;
         for (const auto& [define, value] : key.defines) {
-            name += " " + define + "=" + value;
+            name.append(" ").append(define).append("=").append(value);
         }
         names.push_back(name);
     }

@@ -32,7 +32,7 @@ class ShaderLibrary {
     struct Key {
         std::string file;
         Defines defines;
-        auto operator<=>(const Key&) const = default;
+        auto operator<=>(const Key&) const = default;  // NOLINT(modernize-use-nullptr): it stumbles over '<=>'
     };
     Program build(const Key& key) const;
     std::filesystem::file_time_type newest_file() const;

@@ -11,4 +11,10 @@ namespace bruma::io {
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_file_atomically(const std::filesystem::path& path, const std::string& text);
 
+/// Whether `write_file_atomically` could write there now: puts an empty file beside `path` and takes it away again.
+/// Throws the InputError that the writing would end in, before anything is computed for it.
+void require_writable(const std::filesystem::path& path);
+/// The same for a folder that is made later if it is not there yet; makes none.
+void require_writable_folder(const std::filesystem::path& folder);
+
 }  // namespace bruma::io

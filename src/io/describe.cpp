@@ -68,6 +68,10 @@ std::string raw_text(const std::string& path, const scene::VolumeSource& hints) 
     text += fmt::format("offset   {} bytes ({})\n", layout.offset, layout.offset_from);
     text += fmt::format("spacing  {:.6g} x {:.6g} x {:.6g} mm ({})\n", 1e3 * layout.spacing_m.x,
                         1e3 * layout.spacing_m.y, 1e3 * layout.spacing_m.z, layout.spacing_from);
+    if (layout.rotation_deg != glm::dvec3(0.0)) {
+        text += fmt::format("rotation {:.6g}, {:.6g}, {:.6g} degrees about x, y, z ({})\n", layout.rotation_deg.x,
+                            layout.rotation_deg.y, layout.rotation_deg.z, layout.rotation_from);
+    }
     text += values_text(*loaded.grid, loaded.replaced_nonfinite);
     for (const std::string& remark : loaded.remarks) {
         text += fmt::format("remark   {}\n", remark);

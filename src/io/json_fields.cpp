@@ -202,7 +202,8 @@ std::size_t read_word(const json& from, const std::string& where, std::span<cons
         throw_expected(from, where, fmt::format("a word{}", suggestion("", known)));
     }
     const auto& word = from.get_ref<const std::string&>();
-    const auto found = std::find(known.begin(), known.end(), word);
+    const auto found =
+        std::find_if(known.begin(), known.end(), [&](const std::string& each) { return same_word(each, word); });
     if (found == known.end()) {
         throw InputError(fmt::format("{}: unknown word '{}'{}", where, word, suggestion(word, known)));
     }

@@ -43,7 +43,7 @@ void read_value(const json& from, const Field& field, const std::string& where, 
 void read_value(const json& from, const Field& field, const std::string& where,
                 std::vector<scene::EmissionPoint>& value);
 
-/// Index of a word among `words`.
+/// Index of a word among `words`; '-' and '_' are the same there.
 std::size_t read_word(const json& from, const std::string& where, std::span<const std::string_view> words);
 /// `from` must be an object; throws otherwise.
 void require_object(const json& from, const std::string& where);

@@ -6,8 +6,10 @@
 #include <cctype>
 
 #include "base/error.h"
+#include "base/log.h"
 #include "base/nearest_name.h"
 #include "io/grid_source.h"
+#include "io/raw_layout.h"
 #include "io/raw_name.h"
 #include "io/scene_file.h"
 #include "io/scene_json.h"
@@ -70,15 +72,20 @@ bool overlap(const scene::Bounds& a, const scene::Bounds& b) {
 }
 
 void add_volume(scene::Scene& scene, const std::string& name, scene::VolumeSource source,
-                std::shared_ptr<const scene::VolumeGrid> grid) {
+                std::shared_ptr<const scene::VolumeGrid> grid, glm::dvec3 rotation_deg) {
     scene::Volume volume;
     volume.source = std::move(source);
     volume.transfer_function = scene::suggested_transfer_function(*grid);
     // Lit surfaces tell shapes at the first look; nothing is lost by switching it off.
     volume.optics.edit([](scene::VolumeOptics& optics) { optics.lighting = scene::VolumeLighting::gradient; });
-    const glm::dvec3 extent = grid->extent();
-    volume.grid = std::move(grid);
     scene::Node node;
+    node.transform = scene::Transform{.rotation_deg = rotation_deg};
+    // Of the turned volume's box: each axis of the world sees a share of each edge.
+    const glm::dmat3 turned(scene::parent_from_model(*node.transform));
+    const glm::dvec3 edges = grid->extent();
+    const glm::dvec3 extent =
+        glm::abs(turned[0]) * edges.x + glm::abs(turned[1]) * edges.y + glm::abs(turned[2]) * edges.z;
+    volume.grid = std::move(grid);
     if (!scene::shown_volumes(scene).empty()) {
         const scene::Bounds taken = scene::world_bounds(scene);
         if (overlap(taken, {-0.5 * extent, 0.5 * extent})) {
@@ -91,13 +98,16 @@ void add_volume(scene::Scene& scene, const std::string& name, scene::VolumeSourc
     scene.nodes.emplace(unique_name(scene, name), std::move(node));
 }
 
-scene::Scene whole_scene(const std::string& argument, FileKind kind, const Progress& progress, const Folders& folders) {
-    return kind == FileKind::scene ? read_scene_file(argument, progress, folders)
+using Settings = std::span<const std::string>;
+
+scene::Scene whole_scene(const std::string& argument, FileKind kind, Settings settings, const Progress& progress,
+                         const Folders& folders) {
+    return kind == FileKind::scene ? read_scene_file(argument, progress, folders, settings)
                                    : scene::builtin_scene(builtin_name(argument));
 }
 
 void add_without_light(scene::Scene& scene, const std::string& argument, const scene::VolumeSource& hints,
-                       const Progress& progress, const Folders& folders) {
+                       Settings settings, const Progress& progress, const Folders& folders) {
     const FileKind kind = kind_of(argument);
     if (kind == FileKind::scene || kind == FileKind::builtin_scene) {
         if (!scene.nodes.empty()) {
@@ -106,7 +116,7 @@ void add_without_light(scene::Scene& scene, const std::string& argument, const s
                             "alone",
                             argument));
         }
-        scene = whole_scene(argument, kind, progress, folders);
+        scene = whole_scene(argument, kind, settings, progress, folders);
         return;
     }
     scene::VolumeSource source;
@@ -116,7 +126,17 @@ void add_without_light(scene::Scene& scene, const std::string& argument, const s
     std::string name = kind == FileKind::raw_volume ? make_grid_name(argument) : builtin_name(argument);
     source.file = argument;
     auto grid = load_grid(source, progress);
-    add_volume(scene, name, std::move(source), std::move(grid));
+    glm::dvec3 rotation_deg(0.0);
+    if (kind == FileKind::raw_volume) {
+        const RawLayout layout = find_raw_layout(argument, hints);
+        rotation_deg = layout.rotation_deg;
+        if (layout.rotation_from.starts_with("known volume")) {
+            log_note("{}: taken for the {}, with samples {:g} x {:g} x {:g} mm apart ({}) and set upright", argument,
+                     layout.rotation_from, 1e3 * layout.spacing_m.x, 1e3 * layout.spacing_m.y, 1e3 * layout.spacing_m.z,
+                     layout.spacing_from);
+        }
+    }
+    add_volume(scene, name, std::move(source), std::move(grid), rotation_deg);
 }
 
 void add_default_light(scene::Scene& scene) {
@@ -144,16 +164,16 @@ scene::Scene open_files(std::span<const std::string> arguments, const scene::Vol
         const auto part = [&](double share, std::string_view what) {
             progress((double(n) + share) / double(arguments.size()), what);
         };
-        add_without_light(scene, arguments[n], hints, progress ? Progress(part) : Progress(), preset_folders);
+        add_without_light(scene, arguments[n], hints, settings, progress ? Progress(part) : Progress(), preset_folders);
     }
     add_default_light(scene);
     return settings.empty() ? scene : with_settings(scene, settings, progress, preset_folders);
 }
 
 void add_file(scene::Scene& scene, const std::string& argument, const scene::VolumeSource& hints,
-              const Progress& progress, const Folders& preset_folders) {
+              const Progress& progress, const Folders& preset_folders, Settings settings) {
     scene::Scene changed = scene;
-    add_without_light(changed, argument, hints, progress, preset_folders);
+    add_without_light(changed, argument, hints, settings, progress, preset_folders);
     add_default_light(changed);
     scene::check(changed);
     scene = std::move(changed);

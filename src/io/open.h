@@ -12,15 +12,18 @@ namespace bruma::io {
 /// Opens what stands on a command line as one scene. Each argument is a .json scene (at most one, and first), a .raw
 /// volume or builtin:NAME. Volumes become nodes named after their files, side by side along x where they would overlap;
 /// a scene without lights gets a headlight named 'headlight'. `hints` tell the layout of the headerless volumes, and
-/// `settings` (PATH=VALUE, see scene_settings.h) are applied last, in their order.
+/// `settings` (PATH=VALUE, see scene_settings.h) are applied last, in their order, except that those of
+/// a volume's source in a .json scene hold before its samples are read.
 /// Throws InputError; what `progress` throws passes through.
 scene::Scene open_files(std::span<const std::string> arguments, const scene::VolumeSource& hints,
                         std::span<const std::string> settings, const Progress& progress = {},
                         const std::vector<std::filesystem::path>& preset_folders = {});
 
-/// Adds one more file, as open_files would. When it throws, the scene is as it was.
+/// Adds one more file, as open_files would; of the settings it applies those of a volume's source alone. When it
+/// throws, the scene is as it was.
 void add_file(scene::Scene& scene, const std::string& argument, const scene::VolumeSource& hints,
-              const Progress& progress = {}, const std::vector<std::filesystem::path>& preset_folders = {});
+              const Progress& progress = {}, const std::vector<std::filesystem::path>& preset_folders = {},
+              std::span<const std::string> settings = {});
 
 /// The scene with settings applied; grids whose source did not change are shared, the others are loaded.
 scene::Scene with_settings(const scene::Scene& scene, std::span<const std::string> settings,

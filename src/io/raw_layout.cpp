@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "io/input_file.h"
+#include "io/known_volumes.h"
 #include "io/raw_name.h"
 #include "io/raw_proposals.h"
 #include "io/raw_sidecar.h"
@@ -137,7 +138,21 @@ RawLayoutParts known_layout_parts(const std::filesystem::path& path, const scene
     known.has_type = take(tellers, &Source::type, layout.type, layout.type_from);
     take(tellers, &Source::endian, layout.endian, layout.endian_from);
     take(tellers, &Source::offset, layout.offset, layout.offset_from);
+    const std::optional<KnownVolume> published = known.has_size ? known_volume(path, layout.size) : std::nullopt;
+    Source says_published;
+    if (published) {
+        says_published.spacing = published->spacing_m;
+        tellers.push_back({&says_published, "known volume " + published->name});
+    }
     take(tellers, &Source::spacing, layout.spacing_m, layout.spacing_from);
+    layout.rotation_from = nobody;
+    if (sidecar && sidecar->rotation_deg) {
+        layout.rotation_deg = *sidecar->rotation_deg;
+        layout.rotation_from = tellers[1].name;
+    } else if (published) {
+        layout.rotation_deg = published->rotation_deg;
+        layout.rotation_from = tellers.back().name;
+    }
     if (known.has_size) {
         check_size(layout.size, path.string());
     }

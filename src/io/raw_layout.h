@@ -16,8 +16,10 @@ struct RawLayout {
     std::int64_t offset = 0;     ///< bytes before the first sample
     glm::dvec3 spacing_m{1e-3};  ///< metres between neighbouring samples
 
-    /// Who said each part: "options", "sidecar NAME.json", "file name" or "default".
-    std::string size_from, type_from, endian_from, offset_from, spacing_from;
+    glm::dvec3 rotation_deg{0.0};  ///< that sets the volume upright, facing +z; see scene::Transform
+
+    /// Who said each part: "options", "sidecar NAME.json", "file name", "known volume NAME" or "default".
+    std::string size_from, type_from, endian_from, offset_from, spacing_from, rotation_from;
 
     std::int64_t bytes_needed() const;  ///< header and samples; never overflows after `check_size`
 };
@@ -44,9 +46,11 @@ void check_size(glm::ivec3 size, const std::string& where);
 RawLayoutParts known_layout_parts(const std::filesystem::path& path, const scene::VolumeSource& hints);
 
 /// The layout of a file from `hints`, a sidecar (NAME.raw.json or NAME.json beside it; keys size, type, spacing_mm or
-/// spacing, endian, offset) and the file name, in this order for each part. Never guesses: without size or type it
+/// spacing, rotation, endian, offset), the file name, and for spacing and rotation the list of published volumes
+/// (known_volumes.h), in this order for each part. Never guesses: without size or type it
 /// throws InputError with the likeliest proposals, and so it does when the file's length is not the one the layout
-/// needs. Byte order, offset and spacing have defaults: little, 0, 1 mm.
+/// needs. Byte order, offset, spacing and rotation have defaults: little, 0,
+/// 1 mm, none.
 RawLayout find_raw_layout(const std::filesystem::path& path, const scene::VolumeSource& hints);
 
 }  // namespace bruma::io

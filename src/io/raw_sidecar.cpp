@@ -11,12 +11,14 @@
 namespace bruma::io {
 namespace {
 
-scene::VolumeSource read_source(const json& object, const std::string& where) {
+Sidecar read_sidecar_json(const std::filesystem::path& path, const json& object) {
+    const std::string where = path.string() + ":";
     require_object(object, where);
-    require_known_keys(object, where, {"size", "type", "spacing_mm", "spacing", "endian", "offset"});
+    require_known_keys(object, where, {"size", "type", "spacing_mm", "spacing", "rotation", "endian", "offset"});
+    Sidecar sidecar{path, {}, {}};
     json common = object;
     common.erase("spacing_mm");
-    scene::VolumeSource says;
+    scene::VolumeSource& says = sidecar.says;
     if (const auto type = object.find("type"); type != object.end() && type->is_string()) {
         // Short forms such as 'u8' are welcome here as they are in file names.
         if (const auto known = voxel_type_of_word(type->get_ref<const std::string&>())) {
@@ -32,7 +34,10 @@ scene::VolumeSource read_source(const json& object, const std::string& where) {
         read_value(*millimetres, Field{.unit = "mm", .min = 0.0}, join_path(where, "spacing_mm"), spacing_mm);
         says.spacing = spacing_mm / 1e3;
     }
-    return says;
+    if (const auto rotation = object.find("rotation"); rotation != object.end()) {
+        read_value(*rotation, Field{.unit = "deg"}, join_path(where, "rotation"), sidecar.rotation_deg);
+    }
+    return sidecar;
 }
 
 }  // namespace
@@ -51,7 +56,7 @@ std::optional<Sidecar> read_sidecar(const std::filesystem::path& raw_path) {
         if (document.is_object() && document.contains("bruma_scene")) {
             continue;
         }
-        return Sidecar{path, read_source(document, path.string() + ":")};
+        return read_sidecar_json(path, document);
     }
     return std::nullopt;
 }

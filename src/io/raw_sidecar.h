@@ -8,7 +8,8 @@ namespace bruma::io {
 
 struct Sidecar {
     std::filesystem::path path;
-    scene::VolumeSource says;  ///< parts it does not name stay empty
+    scene::VolumeSource says;                ///< parts it does not name stay empty
+    std::optional<glm::dvec3> rotation_deg;  ///< that sets the volume upright, facing +z; see scene::Transform
 };
 
 /// The JSON file beside a headerless file, NAME.raw.json or NAME.json, if there is one; a scene of that name is passed

@@ -10,13 +10,14 @@
 #include "io/input_file.h"
 #include "io/json_text.h"
 #include "io/scene_json.h"
+#include "io/scene_settings.h"
 
 namespace bruma::io {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t most_bytes = 64 << 20;
+constexpr std::int64_t most_scene_bytes = 64 << 20;
 
 void for_each_file(scene::Scene& scene, const std::function<fs::path(const fs::path&)>& change) {
     for (auto& [name, node] : scene.nodes) {
@@ -44,16 +45,39 @@ fs::path seen_from(const fs::path& folder, const fs::path& file) {
     return relative.empty() || climbs > 3 ? absolute : relative;
 }
 
+/// Applies the settings that change where samples come from. One that does not fit is passed over: it may be meant for
+/// a volume that another file adds, and is judged with all the others when everything is there.
+void change_sources(scene::Scene& scene, std::span<const std::string> settings, const std::vector<fs::path>& folders) {
+    nlohmann::json document = to_json(scene);
+    for (const std::string& setting : settings) {
+        const std::string path = setting.substr(0, setting.find('=')) + ".";
+        if (path.find(".source.") == std::string::npos) {
+            continue;
+        }
+        try {
+            nlohmann::json changed = document;
+            apply_setting(changed, setting);
+            document = std::move(changed);
+        } catch (const InputError&) {
+            continue;
+        }
+    }
+    if (document != to_json(scene)) {
+        scene = from_json(document, "--set", folders);
+    }
+}
+
 }  // namespace
 
 scene::Scene read_scene_file(const fs::path& path, const Progress& progress,
-                             const std::vector<fs::path>& preset_folders) {
-    const nlohmann::json document = parse_json(read_text_file(path, most_bytes), path.string());
+                             const std::vector<fs::path>& preset_folders, std::span<const std::string> settings) {
+    const nlohmann::json document = parse_json(read_text_file(path, most_scene_bytes), path.string());
     const fs::path folder = path.parent_path();
     std::vector<fs::path> folders{folder.empty() ? fs::path(".") : folder};
     folders.insert(folders.end(), preset_folders.begin(), preset_folders.end());
     scene::Scene scene = from_json(document, path.string(), folders);
     for_each_file(scene, [&](const fs::path& file) { return (folder / file).lexically_normal(); });
+    change_sources(scene, settings, folders);
     try {
         load_missing_grids(scene, nullptr, progress);
     } catch (const InputError& error) {

@@ -14,9 +14,9 @@
 namespace bruma::io {
 namespace {
 
-constexpr const char* version_key = "bruma_transfer_function";
-constexpr std::int64_t version = 1;
-constexpr std::int64_t most_bytes = 16 << 20;
+constexpr const char* preset_key = "bruma_transfer_function";
+constexpr std::int64_t preset_version = 1;
+constexpr std::int64_t most_preset_bytes = 16 << 20;
 
 }  // namespace
 
@@ -37,17 +37,17 @@ scene::TransferFunction read_transfer_function(const json& from, const std::stri
 }
 
 scene::TransferFunction load_transfer_function(const std::filesystem::path& path) {
-    json document = parse_json(read_text_file(path, most_bytes), path.string());
+    json document = parse_json(read_text_file(path, most_preset_bytes), path.string());
     const std::string where = path.string() + ":";
     require_object(document, where);
-    check_version(document, version_key, version, path.string());
-    document.erase(version_key);
+    check_version(document, preset_key, preset_version, path.string());
+    document.erase(preset_key);
     return read_transfer_function(document, where);
 }
 
 void save_transfer_function(const scene::TransferFunction& transfer_function, const std::filesystem::path& path) {
     json document = transfer_function_json(transfer_function);
-    document[version_key] = version;
+    document[preset_key] = preset_version;
     write_file_atomically(path, json_text(document));
 }
 

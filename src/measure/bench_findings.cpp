@@ -13,8 +13,6 @@ namespace {
 using scene::Classification;
 using Get = std::function<double(const VolumeBenchRow&)>;
 
-constexpr double default_stop = 1.0 / 1024.0;
-
 double error_of(const VolumeBenchRow& row) {
     return row.error.rmse;
 }

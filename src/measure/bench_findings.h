@@ -7,6 +7,9 @@
 /// What the rows of a bench say, in numbers and in one sentence each. All interpolation is linear between logarithms.
 namespace bruma::measure {
 
+/// Transmittance at which rays end by default.
+inline constexpr double default_stop = 1.0 / 1024.0;
+
 /// Rows of one classification in order of step, with the given skipping and stop (0: no early termination).
 std::vector<VolumeBenchRow> rows_by_step(const VolumeBenchScene& scene, scene::Classification classification, bool skip,
                                          double stop);

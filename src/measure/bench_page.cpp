@@ -11,8 +11,6 @@ namespace {
 
 using scene::Classification;
 
-constexpr double default_stop = 1.0 / 1024.0;
-
 std::string stop_text(const scene::RenderSettings& settings) {
     return settings.early_termination ? fmt::format("1/{:.0f}", 1.0 / settings.stop_transmittance) : "off";
 }

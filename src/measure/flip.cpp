@@ -70,7 +70,7 @@ Plane convolve(const Plane& plane, const Kernel& along_x, const Kernel& along_y)
         for (int x = 0; x < plane.width; ++x) {
             double sum = 0.0;
             for (int k = -radius_x; k <= radius_x; ++k) {
-                sum += along_x[std::size_t(k + radius_x)] * plane.at(std::clamp(x + k, 0, plane.width - 1), y);
+                sum += along_x[k + radius_x] * plane.at(std::clamp(x + k, 0, plane.width - 1), y);
             }
             rows.at(x, y) = sum;
         }
@@ -80,7 +80,7 @@ Plane convolve(const Plane& plane, const Kernel& along_x, const Kernel& along_y)
         for (int k = -radius_y; k <= radius_y; ++k) {
             const int from = std::clamp(y + k, 0, plane.height - 1);
             for (int x = 0; x < plane.width; ++x) {
-                result.at(x, y) += along_y[std::size_t(k + radius_y)] * rows.at(x, from);
+                result.at(x, y) += along_y[k + radius_y] * rows.at(x, from);
             }
         }
     });

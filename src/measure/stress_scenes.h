@@ -41,8 +41,8 @@ std::shared_ptr<const scene::VolumeGrid> float_grid(glm::ivec3 size, const Sampl
 /// 16^3 floats in [0, 1]: smooth in the middle, exactly 0 around it, so that there is something to skip.
 inline std::shared_ptr<const scene::VolumeGrid> smooth_grid(glm::ivec3 size = glm::ivec3(16)) {
     return float_grid(size, [size](std::size_t n) {
-        const glm::dvec3 at(double(n % std::size_t(size.x)), double(n / std::size_t(size.x) % std::size_t(size.y)),
-                            double(n / (std::size_t(size.x) * size.y)));
+        const std::size_t row = n / std::size_t(size.x), slice = row / std::size_t(size.y);
+        const glm::dvec3 at(double(n % std::size_t(size.x)), double(row % std::size_t(size.y)), double(slice));
         const glm::dvec3 p = (at + 0.5) / glm::dvec3(size) * 2.0 - 1.0;
         const double s = 1.0 - glm::dot(p, p) / 0.7;
         return s > 0.0 ? s * s * (0.8 + 0.2 * std::cos(7.0 * p.x) * std::cos(5.0 * p.y)) : 0.0;

@@ -106,7 +106,8 @@ std::string FrameGraph::reason_to_run(const Node& node) const {
     if (!newer.empty()) {
         return newer + (newer.find(',') == std::string::npos ? " is newer" : " are newer");
     }
-    return node.parameters_changed ? "its parameters changed" : "";
+    const bool changed = node.same_parameters && !node.same_parameters(node.last_parameters, node.parameters);
+    return changed ? "its parameters changed" : "";
 }
 
 void FrameGraph::execute(int index, const std::string& reason, const Stopwatch& stopwatch) {
@@ -139,7 +140,7 @@ void FrameGraph::execute(int index, const std::string& reason, const Stopwatch& 
     for (const int read : node.pass.reads) {
         node.seen.push_back(resources_[std::size_t(read)].revision);
     }
-    node.parameters_changed = false;
+    node.last_parameters = node.parameters;
     node.has_run = true;
 }
 

@@ -98,15 +98,17 @@ class FrameGraph {
     void set_execute(PassId pass, std::function<void(const PassAccess&)> execute) {
         passes_.at(std::size_t(pass.index)).pass.execute = std::move(execute);
     }
-    /// Parameters of a pass: it reruns when they differ (operator==) from those of its last run.
+    /// Parameters of a pass: it reruns when they differ (operator==) from those of its last run, whatever was set and
+    /// taken back in between.
     template <class P>
     void set_parameters(PassId pass, const P& parameters) {
         Node& node = passes_.at(std::size_t(pass.index));
-        const auto* last = std::any_cast<P>(&node.parameters);
-        if (!last || !(*last == parameters)) {
-            node.parameters = parameters;
-            node.parameters_changed = true;
-        }
+        node.parameters = parameters;
+        node.same_parameters = [](const std::any& last, const std::any& next) {
+            const auto* a = std::any_cast<P>(&last);
+            const auto* b = std::any_cast<P>(&next);
+            return a && b && *a == *b;
+        };
     }
     /// Takes a pass and what it writes out of the graph.
     void remove_pass(PassId pass);
@@ -138,8 +140,9 @@ class FrameGraph {
     struct Node {
         Pass pass;
         bool alive = true;
-        std::any parameters;
-        bool parameters_changed = false;
+        std::any parameters;                                                            ///< for the next run
+        std::any last_parameters;                                                       ///< of the last run
+        bool (*same_parameters)(const std::any& last, const std::any& next) = nullptr;  ///< null: it has none
         bool has_run = false;
         std::vector<Revision> seen;  ///< revision of each input at the last run
         std::vector<int> seen_reads;

@@ -121,6 +121,17 @@ TEST_F(Graph, ParametersAreComparedByValue) {
     EXPECT_EQ(run({sum.index}), (Names{"add"})) << "another type of parameters is another value";
 }
 
+TEST_F(Graph, ParametersTakenBackBeforeARunAreNoChange) {
+    graph.set_parameters(add_, 1);
+    run({sum.index});
+    graph.set_parameters(add_, 2);
+    graph.set_parameters(add_, 1);
+    EXPECT_EQ(run({sum.index}), Names{});
+    graph.set_parameters(add_, 2);
+    EXPECT_EQ(run({negative.index}), (Names{"negate"})) << "not needed, so not run";
+    EXPECT_EQ(run({sum.index}), (Names{"double", "add"})) << "and its parameters are still newer";
+}
+
 TEST_F(Graph, UndeclaredAccessThrows) {
     graph.set_execute(add_, [this](const PassAccess& access) { access.read(a); });
     EXPECT_EQ(logic_fault([&] { run({sum.index}); }), "'add' did not declare that it reads 'a'");

@@ -50,6 +50,20 @@ TEST(Open, NamesNodesAfterFilesAndSetsThemSideBySide) {
     EXPECT_EQ(scene.lights.at("headlight")->kind, scene::LightKind::headlight);
 }
 
+TEST(Open, TurnsAVolumeAsItsSidecarSays) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("slab_4x8x16_uint8.raw", std::string(512, 'x')).string();
+    folder.write("slab_4x8x16_uint8.json", R"({"rotation": [-90, 0, 180]})");
+    const scene::Scene scene = open_files(std::vector{file, file}, {}, {});
+    EXPECT_EQ(scene.nodes.at("slab").transform->rotation_deg, glm::dvec3(-90.0, 0.0, 180.0));
+    // The axis -z is up now, so the box is 16 samples of 1 mm high.
+    const scene::Bounds bounds = scene::world_bounds(scene);
+    EXPECT_NEAR(bounds.high.y - bounds.low.y, 16e-3, 1e-12);
+    const glm::dvec4 up = scene::world_from_model(scene, "slab") * glm::dvec4(0.0, 0.0, -1.0, 0.0);
+    EXPECT_NEAR(up.y, 1.0, 1e-12);
+    EXPECT_NEAR(scene.nodes.at("slab_2").transform->translation.x, 4.4e-3, 1e-12) << "4 mm and a tenth";
+}
+
 TEST(Open, AppliesSettingsAndSharesTheGrids) {
     const TemporaryFolder folder;
     const std::string file = folder.write("ramp_8x8x8_uint8.raw", ramp_bytes()).string();
@@ -108,6 +122,35 @@ TEST(SceneFile, PathsFollowTheFile) {
     const std::string sentence = refusal([&] { read_scene_file(path); });
     EXPECT_TRUE(contains(sentence, path.string() + ": nodes.ramp.source: ")) << sentence;
     EXPECT_TRUE(contains(sentence, "no such file"));
+}
+
+TEST(SceneFile, ASettingReplacesAMissingFile) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("ramp_8x8x8_uint8.raw", ramp_bytes()).string();
+    const std::string path = folder
+                                 .write("one.json", R"({"bruma_scene": 1, "nodes": {"ramp": {"kind": "volume",
+        "ambient": 0.25, "source": {"file": "gone.raw", "size": [4, 4, 4], "type": "uint16"}}}})")
+                                 .string();
+    const auto open = [&](const std::vector<std::string>& files, const std::vector<std::string>& settings) {
+        return open_files(files, {}, settings);
+    };
+    EXPECT_TRUE(contains(refusal([&] { open({path}, {}); }), "gone.raw: no such file"));
+    const std::vector<std::string> settings{"nodes.ramp.source.file=" + file, "volume.source.size=[8, 8, 8]",
+                                            "nodes.ramp.source.type=uint8"};
+    const scene::Scene scene = open({path}, settings);
+    EXPECT_EQ((*volume_of(scene, "ramp").grid)->size, glm::ivec3(8));
+    EXPECT_EQ(volume_of(scene, "ramp").optics->ambient, 0.25);
+    EXPECT_EQ((*volume_of(open({path}, {"nodes.ramp.source={\"file\": \"" + file + "\"}"}), "ramp").grid)->size,
+              glm::ivec3(8));
+
+    // A setting for a volume that a later file adds waits for it; one for a volume that nobody adds is refused.
+    const std::vector<std::string> both{path, "builtin:bucky"};
+    std::vector<std::string> more = settings;
+    more.emplace_back("nodes.bucky.source.spacing=[1, 1, 1]");
+    more[1] = "nodes.ramp.source.size=[8, 8, 8]";
+    EXPECT_EQ(open(both, more).nodes.size(), 2U);
+    more.emplace_back("nodes.nobody.source.file=x.raw");
+    EXPECT_TRUE(contains(refusal([&] { open(both, more); }), "there is no 'nobody' here"));
 }
 
 TEST(SceneFile, EveryBuiltinSceneCanBeSavedAndReadBack) {

@@ -115,5 +115,27 @@ TEST(AtomicFile, AnUnwritableFolderGivesOneSentenceAndNoFile) {
     EXPECT_EQ(folder.file_count(), 1U);
 }
 
+TEST(AtomicFile, APlaceIsJudgedBeforehandAndLeftAsItWas) {
+    const TemporaryFolder folder;
+    const auto file = folder.write("a.txt", "kept");
+    require_writable(file);
+    require_writable(folder / "new.txt");
+    require_writable_folder(folder.path());
+    require_writable_folder(folder / "made/later");
+    EXPECT_EQ(folder.file_count(), 1U);
+    EXPECT_EQ(std::filesystem::file_size(file), 4U);
+    EXPECT_TRUE(contains(refusal([&] { require_writable(folder.path()); }), "is a folder"));
+    EXPECT_TRUE(contains(refusal([&] { require_writable(folder / "none/a.txt"); }), "cannot be written"));
+    EXPECT_TRUE(contains(refusal([&] { require_writable_folder(file); }), "is no folder"));
+    EXPECT_TRUE(contains(refusal([&] { require_writable_folder(file / "results"); }), file.string() + " is no folder"));
+    std::filesystem::permissions(folder.path(),
+                                 std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+    if (::geteuid() != 0) {  // the superuser may write anywhere
+        EXPECT_TRUE(contains(refusal([&] { require_writable(folder / "b.txt"); }), "Permission denied"));
+        EXPECT_TRUE(contains(refusal([&] { require_writable_folder(folder / "b"); }), "nothing can be written in"));
+    }
+    std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
+}
+
 }  // namespace
 }  // namespace bruma::io

@@ -84,6 +84,21 @@ TEST(RawVolume, TakesEachPartFromOptionsThenSidecarThenFileName) {
     EXPECT_EQ(layout.size_from, "options");
 }
 
+TEST(RawVolume, KnowsPublishedVolumesByNameAndSize) {
+    const TemporaryFolder folder;
+    const auto layout_of = [](const std::filesystem::path& file) { return known_layout_parts(file, {}).layout; };
+    const RawLayout head = layout_of(folder.write("cthead_256x256x113_uint8.raw", "x"));
+    EXPECT_EQ(head.spacing_m, glm::dvec3(1e-3, 1e-3, 2e-3));
+    EXPECT_EQ(head.rotation_deg, glm::dvec3(-90.0, 0.0, 180.0));
+    EXPECT_EQ(head.spacing_from, "known volume CThead");
+    // Another size is another volume, and what the file's own name or a sidecar say goes first.
+    EXPECT_EQ(layout_of(folder.write("CThead_128x128x113_uint8.raw", "x")).rotation_deg, glm::dvec3(0.0));
+    const auto own = folder.write("CThead_256x256x113_uint8_3x3x3mm.raw", "x");
+    EXPECT_EQ(layout_of(own).spacing_m, glm::dvec3(3e-3));
+    folder.write("CThead_256x256x113_uint8_3x3x3mm.json", R"({"rotation": [0, 90, 0]})");
+    EXPECT_EQ(layout_of(own).rotation_deg, glm::dvec3(0.0, 90.0, 0.0));
+}
+
 TEST(RawVolume, RefusesASidecarItDoesNotUnderstand) {
     const TemporaryFolder folder;
     const auto file = folder.write("a.raw", std::string(8, '\0'));

@@ -179,6 +179,18 @@ TEST(SceneSettings, ReachEveryFieldByItsPath) {
     EXPECT_EQ((*scene.camera)->eye_world, glm::dvec3(1, 2, 3));
 }
 
+TEST(SceneSettings, TakeHyphensForUnderscoresInWords) {
+    const scene::Scene scene;
+    json document = to_json(scene);
+    apply_setting(document, "rendering.jitter=blue-noise");
+    EXPECT_EQ(from_json(document, "").rendering->jitter, scene::Jitter::blue_noise);
+    EXPECT_EQ(to_json(from_json(document, ""))["rendering"]["jitter"], "blue_noise") << "saved in one spelling";
+    document["rendering"]["jitter"] = "blue_noise";
+    EXPECT_EQ(from_json(document, "").rendering->jitter, scene::Jitter::blue_noise);
+    document["rendering"]["jitter"] = "blue noise";
+    EXPECT_TRUE(contains(refusal([&] { from_json(document, ""); }), "did you mean 'blue_noise'?"));
+}
+
 TEST(SceneSettings, ChangeACameraThatNobodyHasChosen) {
     json document = to_json(scene::Scene{});
     apply_setting(document, "camera.vertical_angle=50");

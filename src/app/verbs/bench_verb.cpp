@@ -41,6 +41,7 @@ std::string scene_name(const std::string& file) {
 }
 
 int bench_volume(const BenchArguments& arguments, const std::vector<std::string>& command_line) {
+    io::require_writable_folder(arguments.output);
     const glm::ivec2 pixels = arguments.scene.pixels();
     const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
     std::vector<measure::BenchScene> scenes = measure::default_bench_scenes(double(pixels.x) / pixels.y);
@@ -73,6 +74,10 @@ int bench_frames(const BenchArguments& arguments, const std::vector<std::string>
         throw InputError(
             fmt::format("--picture-frame0 {}: only .exr keeps linear floats; choose that ending", arguments.picture));
     }
+    if (!arguments.picture.empty()) {
+        io::require_writable(arguments.picture);
+    }
+    io::require_writable_folder(arguments.output);
     const glm::ivec2 pixels = arguments.scene.pixels();
     const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
     const measure::FramesBenchOptions options{pixels, arguments.azimuth_step_deg, arguments.frames, arguments.warmup};

@@ -1,10 +1,12 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 
 #include "app/verbs/verbs.h"
 #include "base/error.h"
+#include "io/atomic_file.h"
 #include "io/picture_file.h"
 #include "measure/heatmap.h"
 #include "measure/image_error.h"
@@ -20,6 +22,10 @@ struct CompareArguments {
 };
 
 int compare(const CompareArguments& arguments) {
+    if (!arguments.heatmap.empty()) {
+        io::picture_format(arguments.heatmap);
+        io::require_writable(arguments.heatmap);
+    }
     const Image picture = io::read_picture(arguments.picture);
     const Image truth = io::read_picture(arguments.reference);
     const measure::ImageError error = measure::compare_images(picture, truth);
@@ -35,7 +41,7 @@ int compare(const CompareArguments& arguments) {
         io::Picture8 display{map.width, map.height, {}};
         if (format == io::PictureFormat::png) {
             for (const float value : map.rgba) {
-                display.rgba.push_back(std::uint8_t(255.0F * std::min(1.0F, std::max(0.0F, value)) + 0.5F));
+                display.rgba.push_back(std::uint8_t(std::lround(255.0F * std::min(1.0F, std::max(0.0F, value)))));
             }
         }
         io::write_picture(arguments.heatmap, map, display);

@@ -10,6 +10,7 @@
 #include "app/scene_arguments.h"
 #include "app/verbs/verbs.h"
 #include "base/error.h"
+#include "io/atomic_file.h"
 #include "io/picture_file.h"
 
 namespace bruma::app {
@@ -27,6 +28,7 @@ int reference(const ReferenceArguments& arguments) {
         throw InputError(
             fmt::format("-o {}: the reference keeps its precision only in .exr; choose that ending", arguments.output));
     }
+    io::require_writable(arguments.output);
     const scene::Scene scene = open_scene(arguments.scene);
     reference::ReferenceOptions options;
     options.tolerance = arguments.tolerance;

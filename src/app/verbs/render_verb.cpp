@@ -46,6 +46,11 @@ void check_room(glm::ivec2 pixels) {
 int render(const RenderArguments& arguments, const std::vector<std::string>& command_line) {
     const glm::ivec2 pixels = arguments.scene.pixels();
     const io::PictureFormat format = io::picture_format(arguments.output);
+    for (const std::string& output : {arguments.output, arguments.stats, arguments.graph}) {
+        if (!output.empty() && output != "-") {
+            io::require_writable(output);
+        }
+    }
     const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
     const context::DriverInfo driver = context::driver_info();
     log_detail("{}: {}, {}", context->way(), driver.renderer, driver.version);

@@ -48,6 +48,7 @@ std::vector<gl::Defines> variants_of(const std::string& file) {
 
 int expand(const std::string& folder) {
     const std::filesystem::path root = installed_folder("shaders");
+    io::require_writable_folder(folder);
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     int count = 0;

@@ -89,8 +89,10 @@ bool is_whole_scene(const std::string& file) {
     return std::filesystem::path(file).extension() == ".json";
 }
 
-BackgroundLoader::Job add_files_job(scene::Scene scene, std::vector<std::string> files, scene::VolumeSource hints) {
-    return [scene = std::move(scene), files = std::move(files), hints](const io::Progress& progress) mutable {
+BackgroundLoader::Job add_files_job(scene::Scene scene, std::vector<std::string> files, scene::VolumeSource hints,
+                                    std::vector<std::string> settings) {
+    return [scene = std::move(scene), files = std::move(files), hints = std::move(hints),
+            settings = std::move(settings)](const io::Progress& progress) mutable {
         BackgroundLoader::Result result;
         for (std::size_t n = 0; n < files.size(); ++n) {
             const auto part = [&](double share, std::string_view what) {
@@ -107,7 +109,7 @@ BackgroundLoader::Job add_files_job(scene::Scene scene, std::vector<std::string>
                 scene = {};
                 result.replaces = true;
             }
-            io::add_file(scene, files[n], hints, part, preset_folders());
+            io::add_file(scene, files[n], hints, part, preset_folders(), settings);
         }
         result.scene = std::move(scene);
         return result;

@@ -56,8 +56,9 @@ class BackgroundLoader {
 };
 
 /// A job that adds `files` to a copy of `scene`. A whole scene (.json or builtin) replaces it. Headerless volumes whose
-/// layout neither `hints` nor the files tell are left for a person to decide.
-BackgroundLoader::Job add_files_job(scene::Scene scene, std::vector<std::string> files, scene::VolumeSource hints);
+/// layout neither `hints` nor the files tell are left for a person to decide. `settings` are those of io::add_file.
+BackgroundLoader::Job add_files_job(scene::Scene scene, std::vector<std::string> files, scene::VolumeSource hints,
+                                    std::vector<std::string> settings = {});
 
 /// Whether a name means a whole scene rather than something to add to one.
 bool is_whole_scene(const std::string& file);

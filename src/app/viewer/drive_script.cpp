@@ -64,6 +64,7 @@ std::vector<DriveStep> read_drive_script(const std::filesystem::path& path) {
         throw InputError(fmt::format("{}: cannot be read; is the path right?", path.string()));
     }
     std::vector<std::string> known;
+    known.reserve(steps.size());
     for (const auto& [word, parts] : steps) {
         known.push_back(word);
     }

@@ -57,7 +57,7 @@ void Workbench::start_loading(std::vector<std::string> files, const scene::Volum
     // Saving goes to the file that the scene came from, once it has come.
     const auto whole = std::find_if(files.begin(), files.end(), is_whole_scene);
     path_being_read_ = whole == files.end() || whole->starts_with("builtin:") ? "" : *whole;
-    loader_.start(title, add_files_job(scene_, std::move(files), hints), wake_);
+    loader_.start(title, add_files_job(scene_, std::move(files), hints, request_.settings), wake_);
 }
 
 bool Workbench::take_loaded() {

@@ -172,7 +172,7 @@ void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const 
                 }
             }
         }
-        parameters.volumes.push_back(std::move(input));
+        parameters.volumes.push_back(input);
     }
     if (parameters.lit) {
         for (const std::string& light : shining) {
