@@ -212,6 +212,9 @@ TEST(NormalisedDipole, ReturnsWhatARandomWalkReturns) {
 TEST(NormalisedDipole, FactorIsContinuousAndKnownAtItsNodes) {
     EXPECT_DOUBLE_EQ(energy_normalisation(0.5, 1.3), 0.2834);
     EXPECT_DOUBLE_EQ(energy_normalisation(0.999, 1.5), 0.8223);
+    // Along the logarithm of 1 - albedo above one half, along the albedo below.
+    EXPECT_NEAR(energy_normalisation(1.0 - std::sqrt(0.1 * 0.05), 1.3), 0.5 * (0.6137 + 0.6772), 1e-12);
+    EXPECT_NEAR(energy_normalisation(0.45, 1.3), 0.5 * (0.2209 + 0.2834), 1e-12);
     EXPECT_DOUBLE_EQ(energy_normalisation(0.9, 1.4), 0.5 * (0.6137 + 0.6361));
     EXPECT_DOUBLE_EQ(energy_normalisation(0.9, 1.1), 0.6137);
     EXPECT_DOUBLE_EQ(energy_normalisation(0.9, 2.0), 0.6361);
