@@ -65,7 +65,7 @@ TEST(RayMesh, RaysFromTheSurfaceDoNotMeetTheirOwnTriangle) {
         const glm::dvec3 d = direction(random);
         const auto hit = sphere.first_hit(glm::dvec3(0.0), d);
         ASSERT_TRUE(hit);
-        // Outwards nothing is left to meet. Six degrees above its face a ray has risen by four roundings of a float when
+        // Outwards nothing is left to meet. Six degrees above its face a ray has risen by six roundings of a float when
         // it may first hit; flatter ones are not asked.
         EXPECT_FALSE(sphere.blocked(hit->position, hit->geometric_normal));
         const glm::dvec3 other = direction(random);
