@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "reference/sky_light.h"
 #include "reference/sky_tables.h"
 
 namespace bruma::reference {
@@ -218,6 +219,24 @@ TEST(SkyAtmosphere, DayFallsThroughTwilightIntoNight) {
         before = level;
     }
     EXPECT_LT(before.g, 1e-4);
+}
+
+TEST(SkyAtmosphere, LightOnCloudsIsThatOfTheTables) {
+    const auto tables = std::make_shared<const AtmosphereTables>(earth);
+    scene::Sun sun;
+    sun.irradiance = {2.0, 1.0, 0.5};
+    sun.elevation_deg = 90.0;
+    const CloudLight noon = light_of_sky(tables, sun, 2.0);
+    // Converged, at 1500 m, and 2e-3 of the table.
+    expect_near(noon.sun_irradiance(1500.0), glm::dvec3(0.951461, 0.887221, 0.800653) * sun.irradiance, 6e-3, "noon");
+    const glm::dvec3 sky = noon.sky_radiance(glm::normalize(glm::dvec3(0.5, 0.5, 0.0)));
+    EXPECT_GT(sky.b / sun.irradiance.b, sky.r / sun.irradiance.r) << "the sky is blue";
+    sun.elevation_deg = -1.0;
+    const CloudLight dusk = light_of_sky(tables, sun, 2.0);
+    EXPECT_EQ(dusk.sun_irradiance(0.0), glm::dvec3(0.0)) << "the sun has set on the ground";
+    const glm::dvec3 tops = dusk.sun_irradiance(12000.0) / sun.irradiance;
+    EXPECT_GT(tops.r, 0.05) << "and still shines on high tops";
+    EXPECT_GT(tops.r, 1.5 * tops.b) << "red";
 }
 
 TEST(SkyAtmosphere, TheDiscKeepsItsIrradiance) {
