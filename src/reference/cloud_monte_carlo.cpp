@@ -49,10 +49,8 @@ class Path {
                 }
                 origin = collision->at_world;
                 direction = scattered(collision->medium->optics, direction);
-            } else if (orders == 0) {
-                break;  // seen through: what is behind is not the clouds' light
-            } else if (!bounce(origin, direction, weight, radiance)) {
-                break;
+            } else if (orders == 0 || !bounce(origin, direction, weight, radiance)) {
+                break;  // seen through: what is behind is not the clouds' light; or lost in sky or ground
             }
             longest = infinity;
         }

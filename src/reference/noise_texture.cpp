@@ -50,8 +50,8 @@ glm::dvec4 NoiseTexture::sample(const glm::dvec3& p) const {
     for (int channel = 0; channel < channels; ++channel) {
         double along_x[4];
         for (int row = 0; row < 4; ++row) {
-            const double low = at[2 * row][channel];
-            along_x[row] = low + x.share * (at[2 * row + 1][channel] - low);
+            const double low = at[std::size_t(2) * row][channel];
+            along_x[row] = low + x.share * (at[std::size_t(2) * row + 1][channel] - low);
         }
         const double front = along_x[0] + y.share * (along_x[1] - along_x[0]);
         const double back = along_x[2] + y.share * (along_x[3] - along_x[2]);
