@@ -1,0 +1,43 @@
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "reference/cloud_lighting.h"
+#include "reference/cloud_medium.h"
+#include "scene/camera.h"
+
+/// Light in clouds by path tracing, all orders of scattering with the phase function and albedo as they are: the only
+/// judge of the octaves. Delta tracking after Woodcock 1965; light from the sun by next-event estimation with ratio
+/// tracking (Novak, Selle, Jarosz 2014). Unbiased but for the cut at `most_orders`.
+namespace bruma::reference {
+
+/// Numbers in [0,1) from (pixel, sample) and a running index: the same for the same path, in any order and thread.
+class CounterRandom {
+  public:
+    CounterRandom(std::uint32_t pixel, std::uint32_t sample) : pixel_(pixel), sample_(sample) {}
+    double next();
+
+  private:
+    std::uint32_t pixel_, sample_, count_ = 0;
+};
+
+struct MonteCarloOptions {
+    std::uint32_t samples = 1024;
+    std::uint32_t pixel = 0;            ///< another number is another stream
+    std::int64_t most_orders = 100000;  ///< of scattering; 1 is single scattering
+    double longest_m = 200e3;           ///< of the view ray
+};
+
+struct MonteCarloResult {
+    glm::dvec3 radiance{0.0};        ///< of light that clouds scattered at least once
+    glm::dvec3 standard_error{0.0};  ///< of that mean, from the spread of the samples
+    double transmittance = 1.0;      ///< share of paths that met nothing, by ratio tracking
+    double transmittance_error = 0.0;
+    double mean_orders = 0.0;  ///< scatterings of a path
+};
+
+/// One ray. The same options give the same bits on any number of threads.
+MonteCarloResult trace_paths(std::span<const CloudMedium> media, const CloudLight& light, const scene::Ray& ray,
+                             const MonteCarloOptions& options = {});
+
+}  // namespace bruma::reference
