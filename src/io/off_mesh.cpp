@@ -119,7 +119,7 @@ Counts read_head(OffLines& lines, std::size_t bytes) {
 
 scene::LoadedMesh load_off_mesh(const std::filesystem::path& path, const scene::MeshSource& source,
                                 const Progress& progress) {
-    const std::string text = read_text_file(path, std::int64_t(available_memory() / 8));
+    const std::string text = read_text_file(path, std::int64_t(available_memory() / 10));
     OffLines lines(text, path, progress);
     const Counts counts = read_head(lines, text.size());
     scene::MeshParts parts;

@@ -66,6 +66,7 @@ TEST(MeshNormals, OfASpherePointOutward) {
 
 TEST(MeshNormals, ACubeHasFlatFaces) {
     std::vector<glm::dvec3> positions;
+    positions.reserve(8);
     for (int n = 0; n < 8; ++n) {
         positions.emplace_back(n & 1, (n >> 1) & 1, (n >> 2) & 1);
     }
