@@ -108,7 +108,8 @@ double room_around(const scene::Scene& scene, const scene::Camera& camera, doubl
 }  // namespace
 
 void SceneArguments::declare(CLI::App& app, bool with_view) {
-    app.add_option("files", files, "a .json scene, .raw volumes, builtin:NAME; several are added to one scene");
+    app.add_option("files", files,
+                   "a .json scene, .raw volumes, .obj and .off meshes, builtin:NAME; several are added to one scene");
     app.add_option("--set", settings, "PATH=VALUE: any parameter of the scene, e.g. volume.lighting=gradient");
     app.add_option("--dims", dims, "samples of a headerless volume, as 256x256x128");
     app.add_option("--type", type, "type of its samples: uint8, int8, uint16, int16, float32");

@@ -77,7 +77,7 @@ class Reader {
         }
         return true;
     }
-    const AsciiTriangles& found() const { return found_; }
+    AsciiTriangles& found() { return found_; }
 
   private:
     void add(const std::array<double, 9>& n) {
@@ -86,6 +86,7 @@ class Reader {
             const bool first = found_.count == 0 && corner == 0;
             found_.low = first ? p : glm::min(found_.low, p);
             found_.high = first ? p : glm::max(found_.high, p);
+            found_.corners.push_back(p);
         }
         ++found_.count;
     }
@@ -96,7 +97,7 @@ class Reader {
 
 }  // namespace
 
-std::optional<AsciiTriangles> read_ascii_triangles(const std::filesystem::path& path) {
+std::optional<AsciiTriangles> read_ascii_triangles(const std::filesystem::path& path, const Progress& progress) {
     constexpr std::int64_t chunk_bytes = 1 << 20;
     constexpr std::size_t longest_line = 4096;  // nine numbers need at most some 250
     const InputFile file(path);
@@ -109,6 +110,9 @@ std::optional<AsciiTriangles> read_ascii_triangles(const std::filesystem::path& 
         rest.resize(before + std::size_t(length));
         file.read(offset, std::as_writable_bytes(std::span(rest.data() + before, std::size_t(length))));
         offset += length;
+        if (progress && reader.found().count > 0) {
+            progress(double(offset) / double(file.size()), "reading " + path.filename().string());
+        }
         if (offset <= 4096 && !is_text(rest)) {
             return std::nullopt;
         }
@@ -130,7 +134,32 @@ std::optional<AsciiTriangles> read_ascii_triangles(const std::filesystem::path& 
     if (!rest.empty() && !reader.take(rest)) {
         return std::nullopt;
     }
-    return reader.found().count > 0 ? std::optional(reader.found()) : std::nullopt;
+    return reader.found().count > 0 ? std::optional(std::move(reader.found())) : std::nullopt;
+}
+
+bool holds_ascii_triangles(const std::filesystem::path& path) {
+    const InputFile file(path);
+    std::string head(std::size_t(std::min<std::int64_t>(4096, file.size())), '\0');
+    file.read(0, std::as_writable_bytes(std::span(head.data(), head.size())));
+    if (!is_text(head)) {
+        return false;
+    }
+    Reader reader;
+    for (std::size_t from = 0; from < head.size();) {
+        const std::size_t end = head.find('\n', from);
+        if (end == std::string::npos && std::int64_t(head.size()) < file.size()) {
+            break;  // the line goes on behind the head
+        }
+        if (!reader.take(std::string_view(head).substr(from, end - from))) {
+            return false;
+        }
+        if (reader.found().count > 0) {
+            return true;
+        }
+        from = end == std::string::npos ? head.size() : end + 1;
+    }
+    // Nothing but comments so far: a rare file, read to its end.
+    return std::int64_t(head.size()) < file.size() && read_ascii_triangles(path).has_value();
 }
 
 }  // namespace bruma::io

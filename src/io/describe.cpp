@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "base/error.h"
-#include "io/ascii_triangles.h"
 #include "io/grid_source.h"
+#include "io/mesh_source.h"
+#include "io/mesh_text.h"
 #include "io/open.h"
 #include "io/raw_proposals.h"
 #include "io/raw_volume.h"
@@ -79,16 +80,6 @@ std::string raw_text(const std::string& path, const scene::VolumeSource& hints) 
     return text;
 }
 
-std::string triangles_text(const std::string& path, const AsciiTriangles& found) {
-    std::string text = fmt::format("{}: triangle mesh in text form, not a volume\ntriangles {}\n", path, found.count);
-    text += fmt::format("box      ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g})\n", found.low.x, found.low.y,
-                        found.low.z, found.high.x, found.high.y, found.high.z);
-    if (found.first_bad_line > 0) {
-        text += fmt::format("faults   line {} is no triangle: '{}'\n", found.first_bad_line, found.first_bad_text);
-    }
-    return text;
-}
-
 std::string proposals_text(const std::string& path, const std::vector<RawProposal>& proposals) {
     std::string text = fmt::format("{}: headerless file of unknown layout\n", path);
     text += proposals.empty() ? "no usual layout fits its length\n" : "likely layouts, best first:\n";
@@ -103,13 +94,17 @@ std::string scene_text(const std::string& path) {
     std::string text =
         fmt::format("{}: scene of {} nodes and {} lights\n", path, scene.nodes.size(), scene.lights.size());
     for (const auto& [name, node] : scene.nodes) {
-        const auto* volume = std::get_if<scene::Volume>(&node.content);
-        if (volume == nullptr) {
-            text += fmt::format("  group  {}\n", name);
-        } else {
+        if (const auto* volume = std::get_if<scene::Volume>(&node.content)) {
             const scene::VolumeGrid& grid = **volume->grid;
             text += fmt::format("  volume {}: {}, {}, values {:.6g} to {:.6g}\n", name, volume->source.file,
                                 layout_words(grid.size, grid.type), grid.smallest, grid.largest);
+        } else if (const auto* mesh = std::get_if<scene::Mesh>(&node.content)) {
+            const scene::TriangleMesh& triangles = **mesh->triangles;
+            const glm::dvec3 extent_mm = 1e3 * (triangles.high - triangles.low);
+            text += fmt::format("  mesh   {}: {}, {} triangles, {:.4g} x {:.4g} x {:.4g} mm\n", name, mesh->source.file,
+                                triangles.triangles.size(), extent_mm.x, extent_mm.y, extent_mm.z);
+        } else {
+            text += fmt::format("  group  {}\n", name);
         }
     }
     for (const auto& [name, light] : scene.lights) {
@@ -121,12 +116,12 @@ std::string scene_text(const std::string& path) {
 }  // namespace
 
 std::string describe_file(const std::string& argument, const scene::VolumeSource& hints) {
-    std::string ending = std::filesystem::path(argument).extension().string();
+    if (is_mesh(argument)) {
+        return mesh_text(argument, load_mesh({.file = argument}, {}));
+    }
+    const std::string ending = std::filesystem::path(argument).extension().string();
     if (is_builtin(argument) || ending != ".raw") {
         return scene_text(argument);
-    }
-    if (const auto triangles = read_ascii_triangles(argument)) {
-        return triangles_text(argument, *triangles);
     }
     const RawLayoutParts known = known_layout_parts(argument, hints);
     if (!known.complete()) {

@@ -9,25 +9,30 @@
 #include "base/log.h"
 #include "base/nearest_name.h"
 #include "io/grid_source.h"
+#include "io/mesh_source.h"
 #include "io/raw_layout.h"
 #include "io/raw_name.h"
 #include "io/scene_file.h"
 #include "io/scene_json.h"
 #include "io/scene_settings.h"
 #include "scene/builtin.h"
+#include "scene/mesh_builtin.h"
 
 namespace bruma::io {
 namespace {
 
 using Folders = std::vector<std::filesystem::path>;
 
-enum class FileKind { scene, raw_volume, builtin_volume, builtin_scene };
+enum class FileKind { scene, raw_volume, mesh, builtin_volume, builtin_scene };
 
 bool holds(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 FileKind kind_of(const std::string& argument) {
+    if (is_mesh(argument)) {
+        return FileKind::mesh;
+    }
     if (is_builtin(argument)) {
         const std::string name = builtin_name(argument);
         std::vector<std::string> known = scene::builtin_volume_names();
@@ -39,6 +44,8 @@ FileKind kind_of(const std::string& argument) {
             return FileKind::builtin_scene;
         }
         known.insert(known.end(), scenes.begin(), scenes.end());
+        const std::vector<std::string> meshes = scene::builtin_mesh_names();
+        known.insert(known.end(), meshes.begin(), meshes.end());
         throw InputError(fmt::format("{}: nothing of this name is built in{}", argument, suggestion(name, known)));
     }
     std::string ending = std::filesystem::path(argument).extension().string();
@@ -50,8 +57,10 @@ FileKind kind_of(const std::string& argument) {
     if (ending == ".raw") {
         return FileKind::raw_volume;
     }
-    throw InputError(fmt::format("{}: {} is not read; known are .json scenes, .raw volumes and builtin:NAME", argument,
-                                 ending.empty() ? "a name without ending" : "'" + ending + "'"));
+    throw InputError(
+        fmt::format("{}: {} is not read; known are .json scenes, .raw volumes, .obj, .off and .raw meshes "
+                    "and builtin:NAME",
+                    argument, ending.empty() ? "a name without ending" : "'" + ending + "'"));
 }
 
 std::string unique_name(const scene::Scene& scene, const std::string& wanted) {
@@ -71,6 +80,35 @@ bool overlap(const scene::Bounds& a, const scene::Bounds& b) {
     return true;
 }
 
+/// How far along x a box must go to stand beside what is there.
+double way_out(const scene::Scene& scene, const scene::Bounds& box) {
+    if (scene::shown_volumes(scene).empty() && scene::shown_meshes(scene).empty()) {
+        return 0.0;
+    }
+    const scene::Bounds taken = scene::world_bounds(scene);
+    const double gap = 0.1 * std::max(box.high.x - box.low.x, taken.high.x - taken.low.x);
+    return overlap(taken, box) ? taken.high.x + gap - box.low.x : 0.0;
+}
+
+void add_node(scene::Scene& scene, const std::string& name,
+              std::variant<scene::Group, scene::Volume, scene::Mesh> content, const scene::Bounds& box,
+              const scene::Transform& turn = {}) {
+    scene::Node node;
+    node.transform = turn;
+    node.transform.edit([&](scene::Transform& transform) { transform.translation.x = way_out(scene, box); });
+    node.content = std::move(content);
+    scene.nodes.emplace(unique_name(scene, name), std::move(node));
+}
+
+void add_mesh(scene::Scene& scene, const std::string& file, const Progress& progress) {
+    scene::Mesh mesh;
+    mesh.source.file = file;
+    mesh.triangles = load_triangles(mesh.source, progress);
+    const scene::Bounds box{(*mesh.triangles)->low, (*mesh.triangles)->high};
+    const std::string name = (*mesh.triangles)->name;
+    add_node(scene, name, std::move(mesh), box);
+}
+
 void add_volume(scene::Scene& scene, const std::string& name, scene::VolumeSource source,
                 std::shared_ptr<const scene::VolumeGrid> grid, glm::dvec3 rotation_deg) {
     scene::Volume volume;
@@ -78,24 +116,14 @@ void add_volume(scene::Scene& scene, const std::string& name, scene::VolumeSourc
     volume.transfer_function = scene::suggested_transfer_function(*grid);
     // Lit surfaces tell shapes at the first look; nothing is lost by switching it off.
     volume.optics.edit([](scene::VolumeOptics& optics) { optics.lighting = scene::VolumeLighting::gradient; });
-    scene::Node node;
-    node.transform = scene::Transform{.rotation_deg = rotation_deg};
+    const scene::Transform turn{.rotation_deg = rotation_deg};
     // Of the turned volume's box: each axis of the world sees a share of each edge.
-    const glm::dmat3 turned(scene::parent_from_model(*node.transform));
+    const glm::dmat3 turned(scene::parent_from_model(turn));
     const glm::dvec3 edges = grid->extent();
     const glm::dvec3 extent =
         glm::abs(turned[0]) * edges.x + glm::abs(turned[1]) * edges.y + glm::abs(turned[2]) * edges.z;
     volume.grid = std::move(grid);
-    if (!scene::shown_volumes(scene).empty()) {
-        const scene::Bounds taken = scene::world_bounds(scene);
-        if (overlap(taken, {-0.5 * extent, 0.5 * extent})) {
-            const double gap = 0.1 * std::max(extent.x, taken.high.x - taken.low.x);
-            node.transform.edit(
-                [&](scene::Transform& transform) { transform.translation.x = taken.high.x + gap + 0.5 * extent.x; });
-        }
-    }
-    node.content = std::move(volume);
-    scene.nodes.emplace(unique_name(scene, name), std::move(node));
+    add_node(scene, name, std::move(volume), {-0.5 * extent, 0.5 * extent}, turn);
 }
 
 using Settings = std::span<const std::string>;
@@ -117,6 +145,10 @@ void add_without_light(scene::Scene& scene, const std::string& argument, const s
                             argument));
         }
         scene = whole_scene(argument, kind, settings, progress, folders);
+        return;
+    }
+    if (kind == FileKind::mesh) {
+        add_mesh(scene, argument, progress);
         return;
     }
     scene::VolumeSource source;
@@ -195,6 +227,7 @@ scene::Scene with_settings(const scene::Scene& scene, std::span<const std::strin
     }
     scene::Scene changed = from_json(document, "--set", preset_folders);
     load_missing_grids(changed, &scene, progress);
+    load_missing_meshes(changed, &scene, progress);
     return changed;
 }
 

@@ -10,10 +10,10 @@
 namespace bruma::io {
 
 /// Opens what stands on a command line as one scene. Each argument is a .json scene (at most one, and first), a .raw
-/// volume or builtin:NAME. Volumes become nodes named after their files, side by side along x where they would overlap;
-/// a scene without lights gets a headlight named 'headlight'. `hints` tell the layout of the headerless volumes, and
-/// `settings` (PATH=VALUE, see scene_settings.h) are applied last, in their order, except that those of
-/// a volume's source in a .json scene hold before its samples are read.
+/// volume, a mesh (.obj, .off, .raw text) or builtin:NAME. Volumes and meshes become nodes named after their files,
+/// side by side along x where they would overlap; a scene without lights gets a headlight named 'headlight'. `hints`
+/// tell the layout of the headerless volumes, and `settings` (PATH=VALUE, see scene_settings.h) are applied last, in
+/// their order, except that those of a volume's source in a .json scene hold before its samples are read.
 /// Throws InputError; what `progress` throws passes through.
 scene::Scene open_files(std::span<const std::string> arguments, const scene::VolumeSource& hints,
                         std::span<const std::string> settings, const Progress& progress = {},
@@ -25,7 +25,7 @@ void add_file(scene::Scene& scene, const std::string& argument, const scene::Vol
               const Progress& progress = {}, const std::vector<std::filesystem::path>& preset_folders = {},
               std::span<const std::string> settings = {});
 
-/// The scene with settings applied; grids whose source did not change are shared, the others are loaded.
+/// The scene with settings applied; grids and meshes whose source did not change are shared, the others are loaded.
 scene::Scene with_settings(const scene::Scene& scene, std::span<const std::string> settings,
                            const Progress& progress = {},
                            const std::vector<std::filesystem::path>& preset_folders = {});

@@ -23,11 +23,10 @@ void refuse_triangles(const std::filesystem::path& path) {
     if (!triangles) {
         return;
     }
-    throw InputError(
-        fmt::format("{}: this is a triangle mesh of {} triangles in text form{}, not a volume; this version "
-                    "shows volumes only",
-                    path.string(), triangles->count,
-                    triangles->first_bad_line > 0 ? fmt::format(" (line {} is none)", triangles->first_bad_line) : ""));
+    throw InputError(fmt::format(
+        "{}: this is a triangle mesh of {} triangles in text form, not a volume; open it by its name, or give "
+        "its node the kind 'mesh'",
+        path.string(), triangles->count));
 }
 
 void swap_bytes(std::span<std::byte> bytes, std::size_t width) {

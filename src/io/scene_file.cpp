@@ -9,6 +9,7 @@
 #include "io/grid_source.h"
 #include "io/input_file.h"
 #include "io/json_text.h"
+#include "io/mesh_source.h"
 #include "io/scene_json.h"
 #include "io/scene_settings.h"
 
@@ -24,6 +25,13 @@ void for_each_file(scene::Scene& scene, const std::function<fs::path(const fs::p
         auto* volume = std::get_if<scene::Volume>(&node.content);
         if (volume != nullptr && !is_builtin(volume->source.file)) {
             volume->source.file = change(volume->source.file).string();
+        }
+        auto* mesh = std::get_if<scene::Mesh>(&node.content);
+        if (mesh != nullptr && !is_builtin(mesh->source.file)) {
+            mesh->source.file = change(mesh->source.file).string();
+        }
+        if (mesh != nullptr && !mesh->source.texture.empty()) {
+            mesh->source.texture = change(mesh->source.texture).string();
         }
     }
 }
@@ -80,6 +88,7 @@ scene::Scene read_scene_file(const fs::path& path, const Progress& progress,
     change_sources(scene, settings, folders);
     try {
         load_missing_grids(scene, nullptr, progress);
+        load_missing_meshes(scene, nullptr, progress);
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", path.string(), error.what()));
     }

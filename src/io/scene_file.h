@@ -9,11 +9,11 @@
 
 namespace bruma::io {
 
-/// Reads a .json scene and the samples of its volumes. Paths in the file are relative to its folder; in the scene they
-/// are relative to the working directory, or absolute. Presets named by the scene are looked up beside it, then in
-/// `preset_folders`. Those of `settings` (PATH=VALUE, see scene_settings.h) that change a volume's source hold before
-/// any samples are read, so that a file that is missing can be replaced; its path is relative to the working directory.
-/// Throws InputError; what `progress` throws passes through.
+/// Reads a .json scene, the samples of its volumes and the triangles of its meshes. Paths in the file are relative to
+/// its folder; in the scene they are relative to the working directory, or absolute. Presets named by the scene are
+/// looked up beside it, then in `preset_folders`. Those of `settings` (PATH=VALUE, see scene_settings.h) that change a
+/// volume's source hold before any samples are read, so that a file that is missing can be replaced; its path is
+/// relative to the working directory. Throws InputError; what `progress` throws passes through.
 scene::Scene read_scene_file(const std::filesystem::path& path, const Progress& progress = {},
                              const std::vector<std::filesystem::path>& preset_folders = {},
                              std::span<const std::string> settings = {});

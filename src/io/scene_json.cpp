@@ -13,7 +13,7 @@ namespace {
 constexpr const char* version_key = "bruma_scene";
 constexpr std::int64_t version = 1;
 /// In the order of the alternatives of scene::Node::content.
-constexpr std::array<std::string_view, 2> node_kinds{"group", "volume"};
+constexpr std::array<std::string_view, 3> node_kinds{"group", "volume", "mesh"};
 
 template <class T>
 json fields_json(const T& from) {
@@ -33,6 +33,9 @@ json node_json(const scene::Node& node) {
         object["clip"] = fields_json(*volume->clip);
         object["light_volume"] = fields_json(*volume->light_volume);
         write_fields(*volume->optics, object);
+    } else if (const auto* mesh = std::get_if<scene::Mesh>(&node.content)) {
+        object["source"] = fields_json(mesh->source);
+        write_fields(*mesh->surface, object);
     }
     return object;
 }
@@ -73,22 +76,46 @@ scene::Volume read_volume(const json& object, const std::string& where, const Fo
     return volume;
 }
 
+scene::Mesh read_mesh(const json& object, const std::string& where) {
+    scene::Mesh mesh;
+    if_present(object, where, "source", [&](const json& from, const std::string& here) {
+        mesh.source = read_fields<scene::MeshSource>(from, here);
+    });
+    if (mesh.source.file.empty()) {
+        throw InputError(fmt::format("{}: a mesh needs a file or builtin:NAME here", join_path(where, "source.file")));
+    }
+    scene::MeshSurface surface;
+    read_present_fields(object, where, surface);
+    mesh.surface = surface;
+    return mesh;
+}
+
+/// Throws for a key that is none of `known`, no field of a struct, and not one that every node has.
+template <class Fields>
+void require_node_keys(const json& object, const std::string& where, std::vector<std::string> known) {
+    const std::vector<std::string> fields = field_names<Fields>();
+    known.insert(known.end(), fields.begin(), fields.end());
+    known.insert(known.end(), {"kind", "parent", "visible", "transform"});
+    require_known_keys(object, where, known);
+}
+
 scene::Node read_node(const json& object, const std::string& where, const Folders& folders) {
     require_object(object, where);
     scene::Node node;
-    std::vector<std::string> known{"kind", "parent", "visible", "transform"};
     const auto kind = object.find("kind");
     if (kind == object.end()) {
-        throw InputError(fmt::format("{}: missing; expected \"volume\" or \"group\"", join_path(where, "kind")));
+        throw InputError(
+            fmt::format("{}: missing; expected \"volume\", \"mesh\" or \"group\"", join_path(where, "kind")));
     }
-    if (read_word(*kind, join_path(where, "kind"), node_kinds) == 1) {
-        known.insert(known.end(), {"source", "transfer_function", "clip", "light_volume"});
-        const std::vector<std::string> optics = field_names<scene::VolumeOptics>();
-        known.insert(known.end(), optics.begin(), optics.end());
-        require_known_keys(object, where, known);
+    const std::string_view word = node_kinds[read_word(*kind, join_path(where, "kind"), node_kinds)];
+    if (word == "volume") {
+        require_node_keys<scene::VolumeOptics>(object, where, {"source", "transfer_function", "clip", "light_volume"});
         node.content = read_volume(object, where, folders);
+    } else if (word == "mesh") {
+        require_node_keys<scene::MeshSurface>(object, where, {"source"});
+        node.content = read_mesh(object, where);
     } else {
-        require_known_keys(object, where, known);
+        require_known_keys(object, where, {"kind", "parent", "visible", "transform"});
     }
     if_present(object, where, "parent",
                [&](const json& from, const std::string& here) { read_value(from, Field{}, here, node.parent); });

@@ -14,14 +14,15 @@ namespace bruma::io {
 ///       "lights": { NAME: {...} },
 ///       "nodes": { NAME: { "kind": "volume" or "group", "parent": NAME or "", "visible": true, "transform": {...},
 ///                          "source": {...}, "transfer_function": {...} or a preset's name, "clip": {...},
-///                          and the fields of VolumeOptics } } }
+///                          and the fields of VolumeOptics },
+///                  NAME: { "kind": "mesh", ..., "source": {...}, and the fields of MeshSurface } } }
 ///
-/// Grids are not part of it; `camera` is left out until someone has chosen it.
+/// Grids and triangles are not part of it; `camera` is left out until someone has chosen it.
 nlohmann::json to_json(const scene::Scene& scene);
 
-/// The reverse. Missing keys keep their defaults; grids stay null; what comes back has passed scene::check. `where` is
-/// the file's name (or empty) and opens every message; presets are looked up in `preset_folders`. Throws InputError for
-/// everything that is wrong, and nothing else.
+/// The reverse. Missing keys keep their defaults; grids and triangles stay null; what comes back has passed
+/// scene::check. `where` is the file's name (or empty) and opens every message; presets are looked up in
+/// `preset_folders`. Throws InputError for everything that is wrong, and nothing else.
 scene::Scene from_json(const nlohmann::json& document, const std::string& where,
                        const std::vector<std::filesystem::path>& preset_folders = {});
 

@@ -120,7 +120,7 @@ void apply_setting(json& scene_document, std::string_view path_equals_value) {
     require_object(scene_document, "");
     const std::string value(path_equals_value.substr(equals + 1));
     const std::string& first = parts.front();
-    if (first == "volume" || first == "group" || first == "light") {
+    if (first == "volume" || first == "mesh" || first == "group" || first == "light") {
         const std::vector<json*> targets = all_of_kind(scene_document, first);
         if (targets.empty()) {
             walk.fail(fmt::format("there is no {} in the scene to change", first));

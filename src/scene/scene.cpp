@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <set>
@@ -60,6 +61,31 @@ void check_volume(const std::string& name, const Volume& volume) {
     }
 }
 
+void check_mesh(const std::string& name, const Mesh& mesh) {
+    const MeshSurface& surface = *mesh.surface;
+    if (surface.shading != MeshShading::translucent) {
+        return;
+    }
+    const glm::dvec3 scattering = medium_of(surface).reduced_scattering;
+    if (!(std::min({scattering.r, scattering.g, scattering.b}) > 0.0)) {
+        throw InputError(fmt::format(
+            "nodes.{}.reduced_scattering: ({}, {}, {}) leaves a colour without scattering, which is not diffuse light; "
+            "every part must be above 0",
+            name, scattering.r, scattering.g, scattering.b));
+    }
+}
+
+template <class Content>
+std::vector<std::string> shown_nodes_with(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const auto& [name, node] : scene.nodes) {
+        if (std::holds_alternative<Content>(node.content) && is_shown(scene, name)) {
+            names.push_back(name);
+        }
+    }
+    return names;
+}
+
 }  // namespace
 
 glm::dmat4 parent_from_model(const Transform& transform) {
@@ -112,6 +138,9 @@ void check(const Scene& scene) {
         if (const auto* volume = std::get_if<Volume>(&node.content)) {
             check_volume(name, *volume);
         }
+        if (const auto* mesh = std::get_if<Mesh>(&node.content)) {
+            check_mesh(name, *mesh);
+        }
     }
     for (const auto& [name, light] : scene.lights) {
         const bool aimed = light->kind == LightKind::directional || light->kind == LightKind::spot;
@@ -132,14 +161,22 @@ void check(const Scene& scene) {
 Bounds world_bounds(const Scene& scene) {
     bool empty = true;
     Bounds bounds;
-    for (const std::string& name : shown_volumes(scene)) {
-        const glm::dmat4 m = world_from_texture(scene, name);
+    const auto take_box = [&](const glm::dmat4& world_from_box, const glm::dvec3& low, const glm::dvec3& high) {
         for (int corner = 0; corner < 8; ++corner) {
-            const glm::dvec3 p = m * glm::dvec4(corner & 1, (corner >> 1) & 1, (corner >> 2) & 1, 1.0);
-            bounds.low = empty ? p : glm::min(bounds.low, p);
-            bounds.high = empty ? p : glm::max(bounds.high, p);
+            const glm::dvec4 p(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z,
+                               1);
+            const glm::dvec3 p_world = world_from_box * p;
+            bounds.low = empty ? p_world : glm::min(bounds.low, p_world);
+            bounds.high = empty ? p_world : glm::max(bounds.high, p_world);
             empty = false;
         }
+    };
+    for (const std::string& name : shown_volumes(scene)) {
+        take_box(world_from_texture(scene, name), glm::dvec3(0.0), glm::dvec3(1.0));
+    }
+    for (const std::string& name : shown_meshes(scene)) {
+        const TriangleMesh& mesh = **std::get<Mesh>(scene.nodes.at(name).content).triangles;
+        take_box(world_from_model(scene, name), mesh.low, mesh.high);
     }
     return empty ? Bounds{glm::dvec3(-0.5), glm::dvec3(0.5)} : bounds;
 }
@@ -160,13 +197,11 @@ Camera fit_camera(const Bounds& bounds, double aspect, glm::dvec3 back_world, gl
 }
 
 std::vector<std::string> shown_volumes(const Scene& scene) {
-    std::vector<std::string> names;
-    for (const auto& [name, node] : scene.nodes) {
-        if (std::holds_alternative<Volume>(node.content) && is_shown(scene, name)) {
-            names.push_back(name);
-        }
-    }
-    return names;
+    return shown_nodes_with<Volume>(scene);
+}
+
+std::vector<std::string> shown_meshes(const Scene& scene) {
+    return shown_nodes_with<Mesh>(scene);
 }
 
 }  // namespace bruma::scene

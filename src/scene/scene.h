@@ -8,6 +8,7 @@
 #include "base/revision.h"
 #include "scene/camera.h"
 #include "scene/light.h"
+#include "scene/mesh.h"
 #include "scene/rendering.h"
 #include "scene/volume.h"
 
@@ -45,7 +46,7 @@ struct Node {
     std::string parent;  ///< name of another node; empty: the world
     bool visible = true;
     Tracked<Transform> transform;
-    std::variant<Group, Volume> content;
+    std::variant<Group, Volume, Mesh> content;
 };
 
 /// All that a picture depends on. Plain data; no GL and no files.
@@ -85,5 +86,7 @@ Camera fit_camera(const Bounds& bounds, double aspect, glm::dvec3 back_world = {
 
 /// Names of all shown volume nodes, in order.
 std::vector<std::string> shown_volumes(const Scene& scene);
+/// Names of all shown mesh nodes, in order.
+std::vector<std::string> shown_meshes(const Scene& scene);
 
 }  // namespace bruma::scene

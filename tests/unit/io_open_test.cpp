@@ -86,8 +86,9 @@ TEST(Open, RefusesUnknownEndingsAndNames) {
     const auto fault = [](const std::string& argument) {
         return refusal([&] { open_files(std::vector{argument}, {}, {}); });
     };
-    EXPECT_TRUE(
-        contains(fault("a.obj"), "a.obj: '.obj' is not read; known are .json scenes, .raw volumes and builtin:NAME"));
+    EXPECT_TRUE(contains(fault("a.stl"),
+                         "a.stl: '.stl' is not read; known are .json scenes, .raw volumes, .obj, .off and .raw "
+                         "meshes and builtin:NAME"));
     EXPECT_TRUE(contains(fault("abc"), "a name without ending"));
     EXPECT_TRUE(contains(fault("builtin:" + scene::builtin_volume_names().front() + "x"), "did you mean"));
 }
@@ -168,7 +169,7 @@ TEST(Describe, TellsAVolumeFromTrianglesAndRiddles) {
     EXPECT_TRUE(contains(volume, "size     8 x 8 x 8 (file name)")) << volume;
     EXPECT_TRUE(contains(volume, "spacing  1 x 1 x 1 mm (default)")) << volume;
     EXPECT_TRUE(contains(volume, "range    0 to 199")) << volume;
-    EXPECT_TRUE(contains(describe_file(folder.write("m.raw", "0 0 0 1 0 0 0 1 0\n").string(), {}), "triangles 1"));
+    EXPECT_TRUE(contains(describe_file(folder.write("m.raw", "0 0 0 1 0 0 0 1 0\n").string(), {}), "1 triangles"));
     const std::string riddle = describe_file(folder.write("data.raw", bell_bytes()).string(), {});
     EXPECT_TRUE(contains(riddle, "unknown layout")) << riddle;
     EXPECT_TRUE(contains(riddle, "--dims 16x16x16 --type uint8")) << riddle;

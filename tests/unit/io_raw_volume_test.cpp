@@ -238,7 +238,7 @@ TEST(RawVolume, RefusesATextOfTriangles) {
     const auto file = folder.write("mesh.raw", "# two\r\n0 0 0 1 0 0 0 1 0\r\n\r\n0 0 0  1 0 0  0 0 1e0\r\n");
     const std::string sentence = refusal([&] { load_raw_volume(file, {}); });
     EXPECT_TRUE(contains(sentence, "triangle mesh of 2 triangles")) << sentence;
-    EXPECT_TRUE(contains(sentence, "shows volumes only"));
+    EXPECT_TRUE(contains(sentence, "kind 'mesh'"));
 }
 
 TEST(RawVolume, ReadsTheRangeOfARealScan) {

@@ -17,6 +17,9 @@ std::string kind_words(const scene::Node& node) {
         return fmt::format("{} x {} x {} {}", grid.size.x, grid.size.y, grid.size.z,
                            scene::enum_words<scene::VoxelType>()[std::size_t(grid.type)]);
     }
+    if (const auto* mesh = std::get_if<scene::Mesh>(&node.content); mesh && *mesh->triangles) {
+        return fmt::format("{} triangles", (*mesh->triangles)->triangles.size());
+    }
     return "group";
 }
 
@@ -99,6 +102,9 @@ void show_selected_node(PanelContext& context) {
             }
             ImGui::TreePop();
         }
+    }
+    if (auto* mesh = std::get_if<scene::Mesh>(&node.content)) {
+        edit_tracked(mesh->surface);
     }
     if (ImGui::TreeNode("Place")) {
         edit_tracked(node.transform);

@@ -46,7 +46,8 @@ Verb declare_describe_parameters(CLI::App&) {
     return [] {
         fmt::print(
             "Every parameter of a scene, by the path that --set and scene files use.\n"
-            "In place of nodes.NAME, 'volume' addresses every volume; in place of lights.NAME, 'light'.\n\n");
+            "In place of nodes.NAME, 'volume' addresses every volume, 'mesh' every mesh; in place of lights.NAME, "
+            "'light'.\n\n");
         print_part<scene::Camera>("Camera", "camera.");
         print_part<scene::RenderSettings>("Rendering", "rendering.");
         print_part<scene::Display>("Display", "display.");
@@ -59,6 +60,8 @@ Verb declare_describe_parameters(CLI::App&) {
         print_part<scene::ClipBox>("", "nodes.NAME.clip.");
         print_part<scene::TransferFunction>("", "nodes.NAME.transfer_function.");
         print_part<scene::VolumeSource>("", "nodes.NAME.source.");
+        print_part<scene::MeshSurface>("Meshes", "nodes.NAME.");
+        print_part<scene::MeshSource>("", "nodes.NAME.source.");
         return 0;
     };
 }

@@ -7,6 +7,7 @@
 #include "app/scene_arguments.h"
 #include "base/error.h"
 #include "io/grid_source.h"
+#include "io/mesh_source.h"
 #include "io/open.h"
 #include "io/raw_layout.h"
 #include "scene/builtin.h"
@@ -99,7 +100,7 @@ BackgroundLoader::Job add_files_job(scene::Scene scene, std::vector<std::string>
                 progress((double(n) + share) / double(files.size()), what);
             };
             part(0.0, files[n]);
-            if (is_raw(files[n]) && std::filesystem::exists(files[n]) &&
+            if (is_raw(files[n]) && std::filesystem::exists(files[n]) && !io::is_mesh(files[n]) &&
                 !io::known_layout_parts(files[n], hints).complete()) {
                 const scene::VolumeSource known = io::known_layout_parts(files[n], hints).as_hints();
                 result.unknown.push_back({files[n], io::propose_layouts(files[n], known, 12)});

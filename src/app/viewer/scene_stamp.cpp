@@ -27,6 +27,10 @@ void append_content(SceneStamp& stamp, const scene::Scene& scene) {
             stamp.push_back(volume->clip.revision());
             stamp.push_back(volume->light_volume.revision());
         }
+        if (const auto* mesh = std::get_if<scene::Mesh>(&node.content)) {
+            stamp.push_back(mesh->triangles.revision());
+            stamp.push_back(mesh->surface.revision());
+        }
     }
 }
 

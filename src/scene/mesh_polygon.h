@@ -1,0 +1,16 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+namespace bruma::scene {
+
+/// Cuts a polygon, convex or not, into triangles that keep its orientation: always corners - 2 of them, as indices
+/// of corners, appended to `into`. It is judged in the plane of its vector area (Newell's method). Convex polygons take
+/// linear time, others corners times reflex corners; polygons that cross themselves get some cut. Throws InputError for
+/// a non-convex polygon of more than 8192 corners.
+void triangulate(std::span<const glm::dvec3> corners, std::vector<std::array<std::uint32_t, 3>>& into);
+
+}  // namespace bruma::scene

@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace bruma::scene {
+
+/// How long a unit of a mesh file is, and who says so.
+struct UnitLength {
+    double millimetres = 1.0;
+    std::string from;  ///< "the scene", "a comment of the file", or why it is proposed
+};
+
+/// A proposal for a file that tells nothing: the power of ten that makes the longest side of the box around the mesh,
+/// in units, 32 to 316 mm: a thing for the hand, the size at which the materials of scene/material.h look translucent.
+UnitLength proposed_unit(double longest_side);
+
+/// The unit that a comment at the head of a file names, as in "# File units = centimeters"; 0 when there is none.
+double commented_unit_mm(std::string_view head);
+
+}  // namespace bruma::scene
