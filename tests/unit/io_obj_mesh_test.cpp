@@ -115,8 +115,8 @@ TEST(ObjMesh, RefusesInOneSentenceWhatCannotBeShown) {
     std::string polygon = "f";
     std::string vertices;
     for (int n = 0; n < 9000; ++n) {
-        vertices += "v " + std::to_string(n) + " " + std::to_string(n % 2 == 0 ? 0.0 : 0.4) + " 0\n";
-        polygon += " " + std::to_string(n + 1);
+        vertices += fmt::format("v {} {} 0\n", n, n % 2 == 0 ? 0.0 : 0.4);
+        polygon += fmt::format(" {}", n + 1);
     }
     EXPECT_TRUE(
         contains(fault(vertices + "v 4500 9999 0\n" + polygon + " 9001\n"), "line 9002: a polygon of 9001 corners"));

@@ -19,14 +19,14 @@ struct Printer {
         std::string range;
         if constexpr (std::is_enum_v<Value>) {
             for (const std::string_view word : scene::enum_words<Value>()) {
-                range += (range.empty() ? "" : "|") + std::string(word);
+                range += fmt::format("{}{}", range.empty() ? "" : "|", word);
             }
         } else if (std::isfinite(field.min) || std::isfinite(field.max)) {
             range = std::isfinite(field.max) ? fmt::format("{:g} to {:g}", field.min, field.max)
                                              : fmt::format("{:g} or more", field.min);
         }
         if (!field.unit.empty()) {
-            range += (range.empty() ? "" : " ") + std::string(field.unit);
+            range += fmt::format("{}{}", range.empty() ? "" : " ", field.unit);
         }
         fmt::print("  {:42} {}{}\n", prefix + std::string(field.name), field.sentence,
                    range.empty() ? "" : " [" + range + "]");
