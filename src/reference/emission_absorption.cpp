@@ -1,16 +1,14 @@
 #include "reference/emission_absorption.h"
 
 #include <fmt/core.h>
-#include <tbb/blocked_range2d.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 
 #include "base/error.h"
 #include "reference/collocation.h"
-#include "reference/piece_walk.h"
+#include "reference/mixture_walk.h"
+#include "reference/pixel_loop.h"
 
 namespace bruma::reference {
 namespace {
@@ -46,63 +44,27 @@ class Mixture {
     const scene::Ray& ray_;
 };
 
-const scene::Scene& checked(const scene::Scene& scene) {
-    scene::check(scene);
-    if (!scene.camera) {
-        throw InputError("camera: the scene has none, and a reference needs to know where it is seen from; set one");
-    }
-    return scene;
-}
-
 }  // namespace
 
-EmissionAbsorption::EmissionAbsorption(const scene::Scene& scene, const ReferenceOptions& options) : options_(options) {
-    for (const std::string& name : scene::shown_volumes(checked(scene))) {
-        volumes_.emplace_back(scene, name);
+EmissionAbsorption::EmissionAbsorption(const scene::Scene& scene, const ReferenceOptions& options)
+    : options_(options), volumes_(prepare_volumes(scene)) {
+    for (const PreparedVolume& volume : volumes_) {
+        if (volume.scatters) {
+            const auto words = scene::enum_words<scene::VolumeLighting>();
+            throw InputError(fmt::format(
+                "nodes.{}.lighting: the emission-absorption reference knows none and gradient, not {}; choose one of "
+                "them",
+                volume.name(), words[std::size_t(volume.lighting)]));
+        }
     }
 }
 
 RayResult EmissionAbsorption::trace(const scene::Ray& ray) const {
-    std::vector<PieceWalk> walks;
-    walks.reserve(volumes_.size());
-    double first = std::numeric_limits<double>::infinity();
-    double last = -first;
-    for (const PreparedVolume& volume : volumes_) {
-        walks.emplace_back(volume, ray, options_.leap);
-        if (!walks.back().finished()) {
-            first = std::min(first, walks.back().t_in());
-            last = std::max(last, walks.back().t_out());
-        }
-    }
-    RayIntegral integral(options_.tolerance, last - first);
-    std::vector<const PieceWalk*> present;
-    const Mixture mixture(present, ray);
-    double t = first;
-    while (!integral.stopped()) {
-        // From t to the next place where a piece of any volume begins or ends.
-        double next = std::numeric_limits<double>::infinity();
-        present.clear();
-        for (PieceWalk& walk : walks) {
-            while (!walk.finished() && walk.piece().t1 <= t) {
-                walk.advance();
-            }
-            if (walk.finished()) {
-                continue;
-            }
-            if (walk.piece().t0 <= t) {
-                present.push_back(&walk);
-                next = std::min(next, walk.piece().t1);
-            } else {
-                next = std::min(next, walk.piece().t0);
-            }
-        }
-        if (!std::isfinite(next)) {
-            break;
-        }
-        if (!present.empty()) {
-            integral.add(mixture, t, next);
-        }
-        t = next;
+    MixtureWalk walk(volumes_, ray, options_.leap);
+    RayIntegral integral(options_.tolerance, walk.length());
+    const Mixture mixture(walk.present(), ray);
+    while (!integral.stopped() && walk.next()) {
+        integral.add(mixture, walk.t0(), walk.t1());
     }
     const glm::dvec3 radiance = integral.radiance();
     const double largest = std::max({radiance.x, radiance.y, radiance.z});
@@ -117,42 +79,23 @@ RayResult trace(const scene::Scene& scene, const scene::Ray& ray, const Referenc
 
 ReferenceImage render_emission_absorption(const scene::Scene& scene, int width, int height,
                                           const ReferenceOptions& options) {
-    if (width < 1 || height < 1) {
-        throw InputError(fmt::format("reference: a picture of {} x {} pixels holds nothing; both must be at least 1",
-                                     width, height));
-    }
     const EmissionAbsorption media(scene, options);
-    const scene::Camera& camera = **scene.camera;
     ReferenceImage result;
-    result.image = Image(width, height);
+    result.image = Image(std::max(width, 0), std::max(height, 0));
     result.error.resize(result.image.pixel_count());
     std::vector<std::uint64_t> evaluations(result.image.pixel_count());
-    std::mutex progress_mutex;
-    std::size_t done = 0;
-    tbb::parallel_for(tbb::blocked_range2d<int>(0, height, 16, 0, width, 16), [&](const auto& tile) {
-        for (int y = tile.rows().begin(); y != tile.rows().end(); ++y) {
-            const double f = (y + 0.5) / height;
-            const glm::dvec3 background = glm::mix(scene.background->top, scene.background->bottom, f);
-            const double brightest = std::max({background.x, background.y, background.z});
-            for (int x = tile.cols().begin(); x != tile.cols().end(); ++x) {
-                const RayResult ray = media.trace(scene::camera_ray(camera, x + 0.5, y + 0.5, width, height));
-                const glm::dvec3 radiance = ray.radiance + ray.transmittance * background;
-                float* pixel = result.image.pixel(x, y);
-                for (int channel = 0; channel < 3; ++channel) {
-                    pixel[channel] = float(radiance[channel]);
-                }
-                pixel[3] = float(1.0 - ray.transmittance);
-                const std::size_t n = std::size_t(y) * width + x;
-                const double to_float = 0x1p-24 * std::max({radiance.x, radiance.y, radiance.z});
-                result.error[n] = float(ray.error * (1.0 + brightest) + to_float);
-                evaluations[n] = ray.evaluations;
-            }
+    for_each_pixel(scene, width, height, options.progress, [&](const Pixel& pixel) {
+        const RayResult ray = media.trace(pixel.ray);
+        const glm::dvec3 radiance = ray.radiance + ray.transmittance * pixel.background;
+        float* rgba = result.image.pixel(pixel.x, pixel.y);
+        for (int channel = 0; channel < 3; ++channel) {
+            rgba[channel] = float(radiance[channel]);
         }
-        if (options.progress) {
-            const std::lock_guard lock(progress_mutex);
-            done += std::size_t(tile.rows().size()) * tile.cols().size();
-            options.progress(double(done) / double(result.image.pixel_count()));
-        }
+        rgba[3] = float(1.0 - ray.transmittance);
+        const double brightest = std::max({pixel.background.x, pixel.background.y, pixel.background.z});
+        const double to_float = 0x1p-24 * std::max({radiance.x, radiance.y, radiance.z});
+        result.error[pixel.index] = float(ray.error * (1.0 + brightest) + to_float);
+        evaluations[pixel.index] = ray.evaluations;
     });
     double sum_of_squares = 0.0;
     for (std::size_t n = 0; n < result.error.size(); ++n) {

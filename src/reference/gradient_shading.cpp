@@ -72,36 +72,45 @@ double GradientShading::highlight(glm::dvec3 normal, glm::dvec3 to_light, glm::d
     return cosine > 0.0 ? std::pow(cosine, optics_.shininess) : 0.0;
 }
 
+GradientShading::Surface GradientShading::surface_at(glm::dvec3 gradient_world, glm::dvec3 ray_direction_world) const {
+    const double gradient = glm::length(gradient_world);
+    if (!(gradient > 0.0)) {
+        return {};
+    }
+    const glm::dvec3 normal = gradient_world / -gradient;
+    const bool turned = optics_.two_sided && glm::dot(normal, ray_direction_world) > 0.0;
+    return {smoothstep(optics_.gradient_soft_from, optics_.gradient_soft_to, gradient * share_per_gradient_),
+            turned ? -normal : normal};
+}
+
+GradientShading::Reflected GradientShading::reflect(const Surface& surface, const scene::Incident& incident,
+                                                    glm::dvec3 ray_direction_world) const {
+    const glm::dvec3 irradiance = incident.irradiance / std::numbers::pi;
+    const double cosine = glm::dot(surface.normal_world, incident.toward_world);
+    Reflected reflected;
+    reflected.diffuse = irradiance * (optics_.diffuse * (optics_.two_sided ? std::abs(cosine) : std::max(cosine, 0.0)));
+    if (cosine > 0.0) {
+        reflected.highlight = irradiance * (optics_.specular * highlight(surface.normal_world, incident.toward_world,
+                                                                         -ray_direction_world));
+    }
+    return reflected;
+}
+
 glm::dvec3 GradientShading::lit(glm::dvec3 color, glm::dvec3 gradient_world, glm::dvec3 position_world,
                                 glm::dvec3 ray_direction_world) const {
-    const double gradient = glm::length(gradient_world);
-    const double share = gradient * share_per_gradient_;
-    if (!(gradient > 0.0)) {
+    const Surface surface = surface_at(gradient_world, ray_direction_world);
+    if (surface.share == 0.0) {
         return color;
     }
-    const double weight = smoothstep(optics_.gradient_soft_from, optics_.gradient_soft_to, share);
-    if (weight == 0.0) {
-        return color;
-    }
-    const glm::dvec3 to_eye = -ray_direction_world;
-    glm::dvec3 normal = gradient_world / -gradient;
-    if (optics_.two_sided && glm::dot(normal, to_eye) < 0.0) {
-        normal = -normal;
-    }
-    glm::dvec3 diffuse(0.0);
-    glm::dvec3 specular(0.0);
+    glm::dvec3 diffuse(optics_.ambient);
+    glm::dvec3 highlights(0.0);
     for (const scene::Light& light : lights_) {
-        const scene::Incident incident = scene::incident_light(light, position_world, camera_back_world_);
-        const glm::dvec3 to_light = incident.toward_world;
-        const glm::dvec3 irradiance = incident.irradiance / std::numbers::pi;
-        const double cosine = glm::dot(normal, to_light);
-        diffuse += irradiance * (optics_.two_sided ? std::abs(cosine) : std::max(cosine, 0.0));
-        if (cosine > 0.0) {
-            specular += irradiance * highlight(normal, to_light, to_eye);
-        }
+        const Reflected reflected =
+            reflect(surface, scene::incident_light(light, position_world, camera_back_world_), ray_direction_world);
+        diffuse += reflected.diffuse;
+        highlights += reflected.highlight;
     }
-    const glm::dvec3 shaded = color * (optics_.ambient + optics_.diffuse * diffuse) + optics_.specular * specular;
-    return glm::mix(color, shaded, weight);
+    return glm::mix(color, color * diffuse + highlights, surface.share);
 }
 
 }  // namespace bruma::reference

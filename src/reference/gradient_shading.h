@@ -19,6 +19,19 @@ class GradientShading {
     glm::dvec3 lit(glm::dvec3 color, glm::dvec3 gradient_world, glm::dvec3 position_world,
                    glm::dvec3 ray_direction_world) const;
 
+    /// Where the data have a surface: how much of one in [0, 1], and its unit normal, to the eye if two-sided.
+    struct Surface {
+        double share = 0.0;
+        glm::dvec3 normal_world{0.0};
+    };
+    Surface surface_at(glm::dvec3 gradient_world, glm::dvec3 ray_direction_world) const;
+
+    /// Light reflected to the eye by a surface: a factor of its colour, and what is added in the light's own colour.
+    struct Reflected {
+        glm::dvec3 diffuse{0.0}, highlight{0.0};
+    };
+    Reflected reflect(const Surface& surface, const scene::Incident& incident, glm::dvec3 ray_direction_world) const;
+
     /// Appends numbers whose change of sign along a ray marks a bend or a jump of `lit`: the normal turning over
     /// against the eye or a light, and both ends of the soft stretch of gradients. Always the same count, in the same
     /// order.

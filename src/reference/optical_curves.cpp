@@ -1,6 +1,7 @@
 #include "reference/optical_curves.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace bruma::reference {
 namespace {
@@ -101,6 +102,25 @@ bool OpticalCurves::is_transparent(double u_low, double u_high) const {
     const auto first = std::lower_bound(knots_.begin(), knots_.end(), u_low) - knots_.begin();
     const auto last = std::upper_bound(knots_.begin(), knots_.end(), u_high) - knots_.begin();
     return opaque_before_[std::size_t(last + 1)] == opaque_before_[std::size_t(first)];
+}
+
+std::array<double, 2> OpticalCurves::extinction_range(double u_low, double u_high) const {
+    std::array<double, 2> range{std::numeric_limits<double>::infinity(), 0.0};
+    const auto include = [&](const CurveStretch& stretch, double u) {
+        const double extinction = at(stretch, u).extinction;
+        range = {std::min(range[0], extinction), std::max(range[1], extinction)};
+    };
+    // Opacity is monotone on a stretch, and so is every rounded step from it to the extinction.
+    const auto first = std::size_t(std::lower_bound(knots_.begin(), knots_.end(), u_low) - knots_.begin());
+    const auto last = std::size_t(std::upper_bound(knots_.begin(), knots_.end(), u_high) - knots_.begin());
+    for (std::size_t n = first; n <= last; ++n) {
+        include(between_[n], n > first ? knots_[n - 1] : u_low);
+        include(between_[n], n < last ? knots_[n] : u_high);
+        if (n < last) {
+            include(on_knot_[n], knots_[n]);
+        }
+    }
+    return range;
 }
 
 }  // namespace bruma::reference

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <vector>
 
 #include "scene/transfer_function.h"
@@ -46,6 +47,10 @@ class OpticalCurves {
     /// Whether the extinction is 0 for every value between the two, ends included.
     bool is_transparent(double u_low, double u_high) const;
 
+    /// The smallest and the largest extinction that `at` gives for any value between the two, ends included.
+    std::array<double, 2> extinction_range(double u_low, double u_high) const;
+
+    OpticalPoint at(double u) const { return at(stretch_at(u), u); }
     OpticalPoint at(const CurveStretch& stretch, double u) const {
         return stretch.at(u, transfer_function_.reference_length, density_scale_);
     }

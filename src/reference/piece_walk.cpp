@@ -5,71 +5,12 @@
 
 namespace bruma::reference {
 
-PieceWalk::PieceWalk(const PreparedVolume& volume, const scene::Ray& ray, bool leap)
-    : volume_(&volume),
-      leap_(leap),
-      ray_(ray),
-      origin_texture_(volume.texture_from_world * glm::dvec4(ray.origin_world, 1.0)),
-      // Not made a unit vector, so that t stays a distance in the world.
-      direction_texture_(glm::dmat3(volume.texture_from_world) * ray.direction_world),
-      origin_voxel_(origin_texture_ * volume.size() - 0.5),
-      direction_voxel_(direction_texture_ * volume.size()) {
-    intersect_box(ray.t_near);
-    t_ = t_in_;
-    if (t_out_ > t_in_) {
-        cell_ = glm::clamp(cell_at(t_in_), glm::ivec3(-1), volume.field.grid().size - 1);
+PieceWalk::PieceWalk(const PreparedVolume& volume, const scene::Ray& ray, bool leap, double t_far)
+    : leap_(leap), ray_(ray), in_volume_(volume, ray, t_far), volume_(&volume), t_(in_volume_.t_in) {
+    if (!in_volume_.misses()) {
+        cell_ = glm::clamp(in_volume_.cell_at(t_), glm::ivec3(-1), volume.field.grid().size - 1);
         advance();
     }
-}
-
-void PieceWalk::intersect_box(double t_near) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const glm::dvec3 size = glm::abs(direction_texture_);
-    const double parallel = 1e-20 * std::max({size.x, size.y, size.z});
-    t_in_ = -infinity;
-    t_out_ = infinity;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double low = volume_->clip.low[axis] - origin_texture_[axis];
-        const double high = volume_->clip.high[axis] - origin_texture_[axis];
-        if (std::abs(direction_texture_[axis]) <= parallel) {
-            // A branch of its own: on a face, 0 * infinity would be NaN.
-            direction_texture_[axis] = 0.0;
-            direction_voxel_[axis] = 0.0;
-            if (low > 0.0 || high < 0.0) {
-                t_out_ = -infinity;
-            }
-            continue;
-        }
-        const double t_low = low / direction_texture_[axis];
-        const double t_high = high / direction_texture_[axis];
-        t_in_ = std::max(t_in_, std::min(t_low, t_high));
-        t_out_ = std::min(t_out_, std::max(t_low, t_high));
-    }
-    t_in_ = std::max(t_in_, t_near);
-}
-
-glm::ivec3 PieceWalk::cell_at(double t) const {
-    glm::ivec3 cell;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double p = origin_voxel_[axis] + t * direction_voxel_[axis];
-        // On a plane, the cell ahead.
-        const double index = direction_voxel_[axis] < 0.0 ? std::ceil(p) - 1.0 : std::floor(p);
-        cell[axis] = int(std::clamp(index, -2.0, double(volume_->field.grid().size[axis])));
-    }
-    return cell;
-}
-
-PieceWalk::Plane PieceWalk::nearest_plane(glm::ivec3 plane_ahead) const {
-    Plane nearest;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (direction_voxel_[axis] != 0.0) {
-            const double t = (double(plane_ahead[axis]) - origin_voxel_[axis]) / direction_voxel_[axis];
-            if (t < nearest.t) {
-                nearest = {t, axis};
-            }
-        }
-    }
-    return nearest;
 }
 
 bool PieceWalk::leap_over_block() {
@@ -79,13 +20,10 @@ bool PieceWalk::leap_over_block() {
         return false;
     }
     const glm::ivec3 first = block * edge - 1;
-    glm::ivec3 ahead = first;
-    for (int axis = 0; axis < 3; ++axis) {
-        ahead[axis] += direction_voxel_[axis] > 0.0 ? edge : 0;
-    }
-    const Plane exit = nearest_plane(ahead);
-    cell_ = glm::clamp(cell_at(exit.t), first, glm::min(first + edge, volume_->field.grid().size) - 1);
-    cell_[exit.axis] = direction_voxel_[exit.axis] > 0.0 ? ahead[exit.axis] : ahead[exit.axis] - 1;
+    const glm::ivec3 ahead = in_volume_.planes_ahead(first, edge);
+    const VolumeRay::Plane exit = in_volume_.nearest_plane(ahead);
+    cell_ = glm::clamp(in_volume_.cell_at(exit.t), first, glm::min(first + edge, volume_->field.grid().size) - 1);
+    cell_[exit.axis] = in_volume_.direction_voxel[exit.axis] > 0.0 ? ahead[exit.axis] : ahead[exit.axis] - 1;
     t_ = std::max(t_, exit.t);
     return true;
 }
@@ -97,7 +35,7 @@ void PieceWalk::advance() {
     }
     pieces_.clear();
     current_ = 0;
-    while (pieces_.empty() && t_ < t_out_ && enter_next_cell()) {
+    while (pieces_.empty() && t_ < in_volume_.t_out && enter_next_cell()) {
     }
 }
 
@@ -110,17 +48,13 @@ bool PieceWalk::enter_next_cell() {
     if (leap_ && leap_over_block()) {
         return true;
     }
-    glm::ivec3 ahead = cell_;
-    for (int axis = 0; axis < 3; ++axis) {
-        ahead[axis] += direction_voxel_[axis] > 0.0 ? 1 : 0;
-    }
-    const Plane exit = nearest_plane(ahead);
-    const double t1 = std::min(exit.t, t_out_);
+    const VolumeRay::Plane exit = in_volume_.nearest_plane(in_volume_.planes_ahead(cell_, 1));
+    const double t1 = std::min(exit.t, in_volume_.t_out);
     if (t1 > t_) {
         load_cell(t1);
         t_ = t1;
     }
-    cell_[exit.axis] += direction_voxel_[exit.axis] > 0.0 ? 1 : -1;
+    cell_[exit.axis] += in_volume_.direction_voxel[exit.axis] > 0.0 ? 1 : -1;
     return true;
 }
 
@@ -135,8 +69,8 @@ void PieceWalk::load_cell(double t1) {
     }
     cell_t0_ = t_;
     per_cell_length_ = 1.0 / (t1 - t_);
-    const glm::dvec3 enter = origin_voxel_ + t_ * direction_voxel_ - glm::dvec3(cell_);
-    const glm::dvec3 through = (t1 - t_) * direction_voxel_;
+    const glm::dvec3 enter = in_volume_.voxel_at(t_) - glm::dvec3(cell_);
+    const glm::dvec3 through = (t1 - t_) * in_volume_.direction_voxel;
     u_ = cubic_along(corners, enter, through);
     if (volume_->shading) {
         std::array<glm::dvec3, 8> gradients = volume_->field.corner_gradients(cell_);

@@ -3,8 +3,7 @@
 #include <vector>
 
 #include "reference/cubic.h"
-#include "reference/prepared_volume.h"
-#include "scene/camera.h"
+#include "reference/volume_ray.h"
 
 namespace bruma::reference {
 
@@ -15,11 +14,12 @@ struct RayPiece {
 };
 
 /// All pieces of a ray through one volume, front to back. Cells are found by stepping over the planes through the
-/// sample centres, each plane's distance computed afresh, so that nothing drifts.
+/// sample centres.
 class PieceWalk {
   public:
-    /// With `leap`, pieces without extinction are passed over; without, every cell is handed out.
-    PieceWalk(const PreparedVolume& volume, const scene::Ray& ray, bool leap);
+    /// With `leap`, pieces without extinction are passed over; without, every cell is handed out. Ends at `t_far`.
+    PieceWalk(const PreparedVolume& volume, const scene::Ray& ray, bool leap,
+              double t_far = std::numeric_limits<double>::infinity());
 
     const PreparedVolume& volume() const { return *volume_; }
     bool finished() const { return current_ == pieces_.size(); }
@@ -31,17 +31,10 @@ class PieceWalk {
     /// Gradient in data units per metre of the world; 0 for volumes that are not shaded.
     glm::dvec3 gradient_world_at(double t) const { return gradient_world_.at((t - cell_t0_) * per_cell_length_); }
 
-    double t_in() const { return t_in_; }
-    double t_out() const { return t_out_; }
+    double t_in() const { return in_volume_.t_in; }
+    double t_out() const { return in_volume_.t_out; }
 
   private:
-    struct Plane {
-        double t = std::numeric_limits<double>::infinity();
-        int axis = 0;
-    };
-    void intersect_box(double t_near);
-    Plane nearest_plane(glm::ivec3 plane_ahead) const;
-    glm::ivec3 cell_at(double t) const;
     bool leap_over_block();
     bool enter_next_cell();
     void load_cell(double t1);
@@ -50,13 +43,12 @@ class PieceWalk {
     void cut_at_bends(RayPiece piece, int depth);
     double bend_in(RayPiece piece);
 
-    const PreparedVolume* volume_;
     bool leap_;
     scene::Ray ray_;
-    glm::dvec3 origin_texture_, direction_texture_;
-    glm::dvec3 origin_voxel_, direction_voxel_;  ///< sample (i, j, k) at (i, j, k)
+    VolumeRay in_volume_;
+    const PreparedVolume* volume_;
     glm::ivec3 cell_{0};
-    double t_in_ = 0.0, t_out_ = 0.0, t_ = 0.0;
+    double t_ = 0.0;
 
     std::vector<RayPiece> pieces_;  ///< of the current cell
     std::size_t current_ = 0;

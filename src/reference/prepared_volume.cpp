@@ -27,7 +27,12 @@ PreparedVolume::PreparedVolume(const scene::Scene& scene, const std::string& nod
     : field(grid_of(scene, node_name)),
       curves(*volume_of(scene, node_name).transfer_function, volume_of(scene, node_name).optics->density_scale,
              volume_of(scene, node_name).optics->emission),
-      clip(*volume_of(scene, node_name).clip) {
+      clip(*volume_of(scene, node_name).clip),
+      lighting(volume_of(scene, node_name).optics->lighting),
+      scatters(scene::scatters(lighting)),
+      g(volume_of(scene, node_name).optics->g),
+      name_(node_name),
+      albedo_(volume_of(scene, node_name).optics->albedo) {
     const scene::Volume& volume = volume_of(scene, node_name);
     const scene::VolumeGrid& grid = field.grid();
     const glm::dmat4 world_from_texture = scene::world_from_texture(scene, node_name);
@@ -39,26 +44,41 @@ PreparedVolume::PreparedVolume(const scene::Scene& scene, const std::string& nod
     window_low_ = window[0];
     u_per_value_ = 1.0 / (window[1] - window[0]);
 
+    double diagonal = 0.0;  // of a block, metres
+    double edge = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        const double voxel_edge = glm::length(glm::dvec3(world_from_texture[axis])) / grid.size[axis];
+        edge = std::min(edge, voxel_edge);
+        diagonal += BlockRanges::edge * voxel_edge;
+    }
     const BlockRanges blocks = block_ranges(grid);
     blocks_ = blocks.size;
     transparent_.reserve(blocks.ranges.size());
+    majorants_.reserve(blocks.ranges.size());
     for (const auto& [low, high] : blocks.ranges) {
         const auto [u_low, u_high] = std::minmax({u_of_value(low), u_of_value(high)});
-        transparent_.push_back(curves.is_transparent(u_low, u_high) ? 1 : 0);
+        const bool transparent = curves.is_transparent(u_low, u_high);
+        transparent_.push_back(transparent ? 1 : 0);
+        const auto [smallest, largest] = curves.extinction_range(u_low, u_high);
+        majorants_.push_back(transparent ? 0.0 : largest);
+        largest_null_depth_ = std::max(largest_null_depth_, transparent ? 0.0 : (largest - smallest) * diagonal);
     }
+    const scene::VolumeOptics& optics = *volume.optics;
+    if (lighting == scene::VolumeLighting::gradient || (scatters && optics.surfaces)) {
+        shading.emplace(scene, optics, edge, grid.largest - grid.smallest);
+    }
+}
 
-    if (volume.optics->lighting == scene::VolumeLighting::gradient) {
-        double edge = std::numeric_limits<double>::infinity();
-        for (int axis = 0; axis < 3; ++axis) {
-            edge = std::min(edge, glm::length(glm::dvec3(world_from_texture[axis])) / grid.size[axis]);
-        }
-        shading.emplace(scene, *volume.optics, edge, grid.largest - grid.smallest);
-    } else if (volume.optics->lighting != scene::VolumeLighting::none) {
-        const auto words = scene::enum_words<scene::VolumeLighting>();
-        throw InputError(fmt::format(
-            "nodes.{}.lighting: the emission-absorption reference knows none and gradient, not {}; choose one of them",
-            node_name, words[std::size_t(volume.optics->lighting)]));
+std::vector<PreparedVolume> prepare_volumes(const scene::Scene& scene) {
+    scene::check(scene);
+    if (!scene.camera) {
+        throw InputError("camera: the scene has none, and a reference needs to know where it is seen from; set one");
     }
+    std::vector<PreparedVolume> volumes;
+    for (const std::string& name : scene::shown_volumes(scene)) {
+        volumes.emplace_back(scene, name);
+    }
+    return volumes;
 }
 
 }  // namespace bruma::reference

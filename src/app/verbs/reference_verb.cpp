@@ -4,13 +4,17 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
 
 #include "app/scene_arguments.h"
 #include "app/verbs/verbs.h"
 #include "base/error.h"
+#include "base/log.h"
 #include "io/picture_file.h"
+#include "reference/render_scattering.h"
 
 namespace bruma::app {
 namespace {
@@ -18,29 +22,94 @@ namespace {
 struct ReferenceArguments {
     SceneArguments scene;
     std::string output;
-    double tolerance = 1e-6;
+    std::optional<double> tolerance;
+    std::string light;
+    reference::ScatteringOptions scattering;
 };
 
-int reference(const ReferenceArguments& arguments) {
+bool anything_scatters(const scene::Scene& scene) {
+    const auto volumes = scene::shown_volumes(scene);
+    return std::any_of(volumes.begin(), volumes.end(), [&](const std::string& name) {
+        return scene::scatters(std::get<scene::Volume>(scene.nodes.at(name).content).optics->lighting);
+    });
+}
+
+/// Surfaces are a look, not a medium: paths know phase functions only.
+void say_what_paths_leave_out(const scene::Scene& scene) {
+    for (const std::string& name : scene::shown_volumes(scene)) {
+        const scene::VolumeOptics& optics = *std::get<scene::Volume>(scene.nodes.at(name).content).optics;
+        if (scene::scatters(optics.lighting) && optics.surfaces) {
+            log_warning("nodes.{}.surfaces: plays no part in multiple scattering; --light single shows it", name);
+        }
+    }
+}
+
+/// Writes the picture and returns what to say about it.
+std::string draw_emission_absorption(const ReferenceArguments& arguments, const scene::Scene& scene,
+                                     const std::function<void(double)>& progress) {
+    if (!arguments.light.empty()) {
+        log_warning("--light {}: nothing in this scene scatters light; set volume.lighting=path_traced",
+                    arguments.light);
+    }
+    reference::ReferenceOptions options{.progress = progress};
+    options.tolerance = arguments.tolerance.value_or(options.tolerance);
     const glm::ivec2 pixels = arguments.scene.pixels();
+    const auto result = reference::render_emission_absorption(scene, pixels.x, pixels.y, options);
+    io::write_exr(arguments.output, result.image, {{"error", result.error}});
+    return fmt::format("stated error: at most {:.2g}, RMS {:.2g} (display range 1); {:.1f} M evaluations",
+                       result.largest_error, result.rms_error, 1e-6 * double(result.evaluations));
+}
+
+std::string draw_scattering(const ReferenceArguments& arguments, const scene::Scene& scene,
+                            const std::function<void(double)>& progress) {
+    reference::ScatteringOptions options = arguments.scattering;
+    options.paths = arguments.light == "single" ? reference::LightPaths::single : reference::LightPaths::multiple;
+    options.tolerance = arguments.tolerance.value_or(options.tolerance);
+    options.progress = progress;
+    const bool multiple = options.paths == reference::LightPaths::multiple;
+    if (multiple) {
+        say_what_paths_leave_out(scene);
+    }
+    const glm::ivec2 pixels = arguments.scene.pixels();
+    const auto result = reference::render_scattering(scene, pixels.x, pixels.y, options);
+    std::vector<float> error;
+    error.reserve(result.error.size());
+    for (const glm::vec3& channels : result.error) {
+        error.push_back(std::max({channels.x, channels.y, channels.z}));
+    }
+    io::write_exr(arguments.output, result.image, {{"error", error}});
+    if (!multiple) {
+        return fmt::format(
+            "single scattering, stated error: at most {:.2g}, RMS {:.2g} (display range 1); {:.1f} M "
+            "evaluations",
+            result.largest_error, result.rms_error, 1e-6 * double(result.evaluations));
+    }
+    const std::string cut_off =
+        result.cut_off_share > 0.0
+            ? fmt::format("; {:.2g} of all paths cut off after {} bounces", result.cut_off_share, options.max_bounces)
+            : "";
+    return fmt::format(
+        "multiple scattering, standard error: at most {:.2g}, RMS {:.2g} (display range 1){}; {} samples "
+        "a pixel, {:.1f} M collisions",
+        result.largest_error, result.rms_error, cut_off, options.samples, 1e-6 * double(result.evaluations));
+}
+
+int reference(const ReferenceArguments& arguments) {
     if (io::picture_format(arguments.output) != io::PictureFormat::exr) {
         throw InputError(
             fmt::format("-o {}: the reference keeps its precision only in .exr; choose that ending", arguments.output));
     }
     const scene::Scene scene = open_scene(arguments.scene);
-    reference::ReferenceOptions options;
-    options.tolerance = arguments.tolerance;
     const bool talks = ::isatty(2) != 0;
+    std::function<void(double)> progress;
     if (talks) {
-        options.progress = [](double share) { fmt::print(stderr, "\r{:3.0f} %", 100.0 * share); };
+        progress = [](double share) { fmt::print(stderr, "\r{:3.0f} %", 100.0 * share); };
     }
     const auto start = std::chrono::steady_clock::now();
-    const reference::ReferenceImage result = reference::render_emission_absorption(scene, pixels.x, pixels.y, options);
+    const std::string findings = anything_scatters(scene) ? draw_scattering(arguments, scene, progress)
+                                                          : draw_emission_absorption(arguments, scene, progress);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    io::write_exr(arguments.output, result.image, {{"error", result.error}});
-    fmt::print(stderr,
-               "{}stated error: at most {:.2g}, RMS {:.2g} (display range 1); {:.1f} M evaluations in {:.1f} s\n",
-               talks ? "\r" : "", result.largest_error, result.rms_error, 1e-6 * double(result.evaluations), seconds);
+    fmt::print(stderr, "{}{} in {:.1f} s\n", talks ? "\r" : "", findings, seconds);
     return int(ExitCode::done);
 }
 
@@ -52,8 +121,23 @@ Verb declare_reference(CLI::App& app) {
     app.add_option("-o,--output", arguments->output,
                    "picture to write, .exr; its channel 'error' holds the stated error")
         ->required();
-    app.add_option("--tolerance", arguments->tolerance, "error to aim at in each pixel, radiance")
+    app.add_option("--light", arguments->light,
+                   "which light: multiple (all of it, by random paths; the default where anything scatters) or single "
+                   "(scattered once, by quadrature)")
+        ->check(CLI::IsMember({"single", "multiple"}));
+    app.add_option("--tolerance", arguments->tolerance,
+                   "error to aim at in each pixel, radiance; without: 1e-6, and 1e-3 for --light single")
         ->check(CLI::Range(1e-12, 1.0));
+    app.add_option("--samples", arguments->scattering.samples,
+                   "multiple: paths for each pixel; four times as many halve the error")
+        ->check(CLI::Range(2, 1 << 30))
+        ->capture_default_str();
+    app.add_option("--max-bounces", arguments->scattering.max_bounces,
+                   "multiple: times that light is scattered before its path is cut off; 1 is single scattering")
+        ->check(CLI::Range(1, 1 << 30))
+        ->capture_default_str();
+    app.add_option("--seed", arguments->scattering.seed, "multiple: another number gives an independent picture")
+        ->capture_default_str();
     return [arguments] { return reference(*arguments); };
 }
 
