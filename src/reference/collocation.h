@@ -57,10 +57,15 @@ class RayIntegral {
     /// Below this transmittance nothing behind can be told from rounding.
     static constexpr double smallest_transmittance = 1e-12;
 
-    /// `tolerance` for the whole ray, in radiance; `t_length` is the length over which it is shared out. The integral
-    /// ends where less than `stop_transmittance` is left.
-    RayIntegral(double tolerance, double t_length, double stop_transmittance = smallest_transmittance)
-        : tolerance_(tolerance), length_(t_length), stop_transmittance_(stop_transmittance) {}
+    /// `tolerance` for the whole ray, in radiance; `t_length` is the length over which it is shared out. A part whose
+    /// halves differ by the share `relative_tolerance` of its own radiance is good enough, however bright it is. The
+    /// integral ends where less than `stop_transmittance` is left.
+    RayIntegral(double tolerance, double t_length, double relative_tolerance = 1e-13,
+                double stop_transmittance = smallest_transmittance)
+        : tolerance_(tolerance),
+          length_(t_length),
+          relative_tolerance_(relative_tolerance),
+          stop_transmittance_(stop_transmittance) {}
 
     bool stopped() const { return transmittance_ < stop_transmittance_; }
 
@@ -100,9 +105,10 @@ class RayIntegral {
         const double of_transmittance = std::abs(passed - std::exp(-whole.optical_depth));
         // A part of length zero still gets a share, else a jump would be halved for ever.
         const double share = std::max((t1 - t0) / length_, 1e-4) * tolerance_;
-        // Beside a lamp radiance grows without bound, and no halving removes its rounding.
-        const double rounding = 1e-13 * std::max({radiance.x, radiance.y, radiance.z});
-        const bool agree = transmittance_ * (of_radiance + of_transmittance) <= std::max(share, rounding);
+        // Beside a lamp, where radiance grows without bound, places rounded by a share of their distance shift it.
+        const double floor =
+            (relative_tolerance_ + 0x1p-50 * std::abs(t1) / (t1 - t0)) * std::max({radiance.x, radiance.y, radiance.z});
+        const bool agree = transmittance_ * (of_radiance + of_transmittance) <= std::max(share, transmittance_ * floor);
         // In thick matter both sides may miss the bright skin and agree on nothing: split until it is thin.
         const bool thin = optical_depth <= 1.5;
         if ((agree && thin) || depth == deepest || middle <= t0 || middle >= t1) {
@@ -118,7 +124,7 @@ class RayIntegral {
         refine(medium, middle, t1, back, depth + 1);
     }
 
-    double tolerance_, length_, stop_transmittance_;
+    double tolerance_, length_, relative_tolerance_, stop_transmittance_;
     glm::dvec3 radiance_{0.0};
     double transmittance_ = 1.0;
     double radiance_difference_ = 0.0, relative_difference_ = 0.0;

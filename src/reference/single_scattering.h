@@ -16,7 +16,8 @@ namespace bruma::reference {
 ///     S = w sum of E T ((1 - s) p + s diffuse |n.l| / pi) + s specular sum of E T highlight / pi + e C
 class SingleScattering {
   public:
-    /// `tolerance` of each ray's radiance. Keeps a reference to the scene.
+    /// `tolerance` of each ray's radiance, or a hundredth of it as a share of that where this is more. Keeps a
+    /// reference to the scene.
     SingleScattering(const ScatteringScene& scene, double tolerance, bool leap = true)
         : scene_(scene), tolerance_(tolerance), leap_(leap) {}
 

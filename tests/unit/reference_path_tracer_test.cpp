@@ -1,6 +1,6 @@
-// Shelf: closed form, for the furnaces and the transmittance; published values, for the slabs; and the quadrature of
-// single scattering, which shares no estimator with the paths. Random numbers are fixed, so a test that passes once
-// passes always.
+// Shelf: closed form, for the furnaces and the transmittance; the values of another program, for the slabs; and the
+// quadrature of single scattering, which shares no estimator with the paths. Random numbers are fixed, so a test that
+// passes once passes always.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
@@ -29,8 +29,7 @@ struct SlabRow {
 };
 
 TEST(ReferencePathTracer, SlabsReflectAndTransmitTheirShares) {
-    // From 1e7 analogue histories each of a program of its own, standard error at most 1.6e-4 (van de Hulst, Multiple
-    // Light Scattering, 1980, has the conservative rows to its printed digits).
+    // From 1e7 analogue histories each of a program of its own, standard error at most 1.6e-4.
     const SlabRow rows[] = {
         {1.0, 1.0, 1.0, 0.0, 0.3411, 0.6589}, {1.0, 1.0, 0.9, 0.0, 0.2675, 0.5917},
         {4.0, 1.0, 1.0, 0.0, 0.6910, 0.3090}, {1.0, 1.0, 1.0, 0.8, 0.0599, 0.9401},
@@ -79,8 +78,10 @@ TEST(ReferencePathTracer, RatioTrackingFindsTheTransmittance) {
             flown.add(next_collision(media.volumes, ray, random) ? 0.0 : 1.0);
         }
         const double truth = rays.trace_unscattered(ray).transmittance;
-        EXPECT_NEAR(tracked.value(), truth, 4.0 * tracked.error() + 1e-6);
-        EXPECT_NEAR(flown.value(), truth, 4.0 * flown.error() + 1e-6);
+        if (truth > 0.01) {  // below, too few samples pass for an error of their own
+            EXPECT_NEAR(tracked.value(), truth, 4.0 * tracked.error());
+        }
+        EXPECT_NEAR(flown.value(), truth, 4.0 * std::sqrt(truth * (1.0 - truth) / 3000.0) + 1e-3);
     }
 }
 
@@ -111,18 +112,21 @@ TEST(ReferencePathTracer, WhiteFurnaceShowsNothing) {
         scene.background = scene::Background{glm::dvec3(1.0), glm::dvec3(1.0)};
         scene.nodes["second"] = scene.nodes["volume"];
         scene.nodes["second"].transform = scene::Transform{.translation = {0.2, 0.1, 0.05}};
-        const auto picture = render_scattering(scene, 16, 16, {.samples = 100});
-        expect_agreement(picture, uniform_image(16, 16, 1.0F), 300);
+        const auto picture = render_scattering(scene, 16, 16, {.samples = 400, .seed = std::uint64_t(10.0 + 10.0 * g)});
+        expect_agreement(picture, uniform_image(16, 16, 1.0F), 150);
         EXPECT_EQ(picture.cut_off_share, 0.0);
     }
 }
 
 TEST(ReferencePathTracer, IsothermalFurnaceShowsNothing) {
     // Kirchhoff: matter that gives off the share (1 - w) of the radiance around it cannot be seen either.
-    // e C = (1 - 0.8 C) B, with e = 2: B = 2 C / (1 - 0.8 C).
-    const glm::dvec3 color(0.5, 0.25, 1.0);
+    // e C = (1 - 0.8 C) B, with e = 2: B = 2 C / (1 - 0.8 C). So dark that Russian roulette decides early.
+    const glm::dvec3 color(0.3, 0.25, 0.35);
     auto scene = noisy_scene(0.8, 0.3, color);
-    volume_in(scene).optics.edit([](auto& optics) { optics.emission = 2.0; });
+    volume_in(scene).optics.edit([](auto& optics) {
+        optics.emission = 2.0;
+        optics.density_scale = 2.0;
+    });
     const glm::dvec3 radiance = 2.0 * color / (1.0 - 0.8 * color);
     scene.environment = scene::Environment{radiance};
     scene.background = scene::Background{radiance, radiance};
@@ -130,7 +134,18 @@ TEST(ReferencePathTracer, IsothermalFurnaceShowsNothing) {
     for (std::size_t n = 0; n < truth.rgba.size(); ++n) {
         truth.rgba[n] = n % 4 < 3 ? float(radiance[int(n % 4)]) : 1.0F;
     }
-    expect_agreement(render_scattering(scene, 16, 16, {.samples = 300}), truth, 300);
+    expect_agreement(render_scattering(scene, 16, 16, {.samples = 2000}), truth, 150);
+}
+
+TEST(ReferencePathTracer, RouletteIsFair) {
+    // In a thick isothermal slab every path would bring the same light, were it not for Russian roulette.
+    auto scene = slab_scene(6.0, 0.3, 0.0);
+    volume_in(scene).optics.edit([](auto& optics) { optics.emission = 0.7; });
+    scene.environment = scene::Environment{glm::dvec3(1.0)};
+    scene.background = scene::Background{glm::dvec3(1.0), glm::dvec3(1.0)};
+    const auto picture = render_scattering(scene, 1, 1, {.samples = 20'000});
+    EXPECT_LT(picture.largest_error, 2e-3);
+    EXPECT_NEAR(picture.image.pixel(0, 0)[0], 1.0, 4.0 * picture.largest_error);
 }
 
 /// Two coloured volumes of different g, one rotated into the other, under two lights.
@@ -153,7 +168,7 @@ TEST(ReferencePathTracer, OneBounceAgreesWithTheQuadrature) {
     const auto truth = render_scattering(scene, 20, 20, {.paths = LightPaths::single, .tolerance = 1e-4});
     EXPECT_LT(truth.largest_error, 2e-3);
     const auto picture = render_scattering(scene, 20, 20, {.samples = 400, .max_bounces = 1});
-    expect_agreement(picture, truth.image, 500);
+    expect_agreement(picture, truth.image, 200);
     EXPECT_GT(picture.cut_off_share, 0.0);
     EXPECT_LT(truth.largest_error, 0.3 * picture.rms_error) << "else the quadrature is no truth here";
     for (std::size_t n = 3; n < picture.image.rgba.size(); n += 4) {
@@ -165,10 +180,11 @@ TEST(ReferencePathTracer, UnlitVolumesAreSeenAndAbsorb) {
     auto scene = two_volumes();
     volume_in(scene, "second").optics.edit([](auto& optics) { optics.lighting = scene::VolumeLighting::none; });
     const auto truth = render_scattering(scene, 16, 16, {.paths = LightPaths::single, .tolerance = 1e-4});
-    expect_agreement(render_scattering(scene, 16, 16, {.samples = 400, .max_bounces = 1}), truth.image, 300);
+    expect_agreement(render_scattering(scene, 16, 16, {.samples = 400, .max_bounces = 1}), truth.image, 150);
 }
 
 TEST(ReferencePathTracer, MoreBouncesAreBrighter) {
+    // The same numbers draw the same paths: each step only lengthens them.
     const auto scene = two_volumes();
     double before = 0.0;
     for (const int bounces : {1, 2, 4, 100'000}) {
@@ -177,7 +193,7 @@ TEST(ReferencePathTracer, MoreBouncesAreBrighter) {
         for (const float value : picture.image.rgba) {
             sum += value;
         }
-        EXPECT_GT(sum, 1.01 * before);
+        EXPECT_GT(sum, before);
         before = sum;
     }
 }

@@ -12,7 +12,6 @@
 #include "app/scene_arguments.h"
 #include "app/verbs/verbs.h"
 #include "base/error.h"
-#include "io/atomic_file.h"
 #include "base/log.h"
 #include "io/picture_file.h"
 #include "reference/render_scattering.h"
