@@ -34,6 +34,8 @@ class VolumePasses {
     Handle<GradientTexture> gradients;
     Handle<TableTextures> tables;
     Handle<EmptinessTexture> emptiness;
+    Handle<CellRanges> cell_ranges() const { return ranges_; }
+    Handle<scene::TransferFunction> transfer_function() const { return transfer_function_; }
 
   private:
     FrameGraph& graph_;
