@@ -13,6 +13,7 @@ class SpanBounds {
   public:
     explicit SpanBounds(const std::vector<float>& table) {
         std::vector<glm::vec2> level;
+        level.reserve(table.size());
         for (const float entry : table) {
             level.emplace_back(entry, entry);
         }
@@ -20,17 +21,18 @@ class SpanBounds {
         for (std::size_t width = 2; width <= table.size(); width *= 2) {
             const std::vector<glm::vec2>& half = levels_.back();
             std::vector<glm::vec2> whole;
+            whole.reserve(table.size() - width + 1);
             for (std::size_t first = 0; first + width <= table.size(); ++first) {
                 whole.push_back(joined(half[first], half[first + width / 2]));
             }
             levels_.push_back(std::move(whole));
         }
     }
+    /// Of entries first .. behind - 1, at least one.
     glm::vec2 of(int first, int behind) const {
-        const auto count = unsigned(behind - first);
-        const auto level = std::size_t(std::bit_width(count)) - 1;
-        const std::vector<glm::vec2>& spans = levels_[level];
-        return joined(spans[std::size_t(first)], spans[std::size_t(behind) - (std::size_t(1) << level)]);
+        const int level = std::bit_width(unsigned(std::max(1, behind - first))) - 1;
+        const std::vector<glm::vec2>& spans = levels_[std::size_t(level)];
+        return joined(spans[std::size_t(first)], spans[std::size_t(behind - (1 << level))]);
     }
 
   private:

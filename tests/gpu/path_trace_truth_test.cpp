@@ -12,7 +12,7 @@ namespace {
 class PathTraceTruth : public PathTraced {
   protected:
     void expect_the_same(const scene::Scene& scene, int gpu_samples, int cpu_samples) {
-        constexpr glm::ivec2 pixels(24);
+        constexpr glm::ivec2 pixels(36);
         const Traced traced = trace(scene, pixels, {.samples = gpu_samples});
         const auto truth = reference::render_scattering(scene, pixels.x, pixels.y, {.samples = cpu_samples});
         double squares = 0.0;
@@ -29,7 +29,7 @@ class PathTraceTruth : public PathTraced {
             difference.error += error * error;
             // Pixels that hardly a path reached do not know their own error.
             const double share = traced.mean.rgba[4 * n + 3];
-            if (share * gpu_samples < 50.0) {
+            if (share * gpu_samples < 20.0) {
                 continue;
             }
             squares += d * d / (error * error);
@@ -77,12 +77,14 @@ TEST_F(PathTraceTruth, ForwardScatteringBlobs) {
         optics.g = 0.8;
         optics.albedo = {0.95, 0.8, 0.6};
         optics.emission = 0.1;
+        optics.density_scale = 8.0;
     });
     expect_the_same(scene, 256, 256);
 }
 
 TEST_F(PathTraceTruth, TwoVolumesInOneAnotherUnderASky) {
     scene::Scene scene = builtin("blobs");
+    volume_in(scene).optics.edit([](scene::VolumeOptics& optics) { optics.density_scale = 8.0; });
     scene::Node node;
     node.content = std::get<scene::Volume>(builtin("bucky").nodes.at("volume").content);
     const double scale = glm::length((*volume_in(scene).grid)->extent()) /

@@ -40,9 +40,9 @@ void show_passes(const render::RunReport& passes) {
 
 std::string quality_words(const ViewerFacts& facts) {
     if (facts.paths && facts.view.pixels == facts.area) {
-        std::string words = fmt::format("{} of {} paths per pixel", facts.paths->samples, facts.path_samples);
+        std::string words = fmt::format("{} of {} paths", facts.paths->samples, facts.path_samples);
         if (facts.paths->standard_error) {
-            words += fmt::format(", standard error {:.2g}", *facts.paths->standard_error);
+            words += fmt::format(", error {:.2g}", *facts.paths->standard_error);
         }
         return words;
     }
