@@ -249,7 +249,8 @@ std::string join_path(const std::string& where, std::string_view key) {
     const std::string_view between = where.empty() ? "" : where.back() == ':' ? " " : ".";
     std::string path = fmt::format("{}{}{}", where, between, key);
     // A key may hold control characters; a zero would end the sentence before it began.
-    std::replace_if(path.begin(), path.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
+    std::replace_if(
+        path.begin(), path.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
     return path;
 }
 

@@ -13,45 +13,110 @@
 namespace bruma::app {
 namespace {
 
-/// Every combination of the switches that the passes use.
-std::vector<gl::Defines> variants_of(const std::string& file) {
-    if (file == "path_trace.comp") {
-        std::vector<gl::Defines> variants;
-        for (const char* const lights : {"0", "2", "5"}) {
-            variants.push_back({{"VOLUMES", "1"}, {"LIGHTS", lights}});
-            variants.push_back({{"VOLUMES", "2"}, {"LIGHTS", lights}, {"GLOW", ""}});
-        }
-        return variants;
+using Variants = std::vector<gl::Defines>;
+
+Variants path_trace_variants() {
+    Variants variants;
+    for (const char* const lights : {"0", "2", "5"}) {
+        variants.push_back({{"VOLUMES", "1"}, {"LIGHTS", lights}});
+        variants.push_back({{"VOLUMES", "2"}, {"LIGHTS", lights}, {"GLOW", ""}});
     }
-    if (file != "volume_march.frag") {
-        return {{}};
-    }
-    std::vector<gl::Defines> variants;
-    for (int bits = 0; bits < 128; ++bits) {
-        if ((bits & 2) && (bits & 64)) {
-            continue;  // refinement belongs to pre-integration
-        }
-        gl::Defines defines{{"VOLUMES", bits & 1 ? "2" : "1"}};
-        const auto add = [&](int bit, const char* name) {
-            if (bits & bit) {
-                defines[name] = "";
-            }
-        };
-        add(2, "SAMPLE_AT_MIDPOINTS");
-        add(64, "REFINE");
-        add(4, "LEAP");
-        add(8, "STOP_EARLY");
-        add(16, "COUNT");
-        if (bits & 32) {
-            defines["LIT"] = "";
-            defines["GLOW"] = "";
-            defines["HIGHLIGHTS"] = "";
-            defines["DIRECTIONAL_LIGHTS"] = "1";
-            defines["POINT_LIGHTS"] = "1";
-        }
+    return variants;
+}
+
+/// What light adds to the march: for surfaces, for scattering media, for both at once.
+Variants lit_variants() {
+    const gl::Defines common{
+        {"LIT", ""}, {"GLOW", ""}, {"HIGHLIGHTS", ""}, {"DIRECTIONAL_LIGHTS", "1"}, {"POINT_LIGHTS", "1"}};
+    const Variants kinds{{{"REFLECT", ""}},
+                         {{"SCATTER", ""}, {"NEAR_STEPS", "0"}},
+                         {{"SCATTER", ""}, {"NEAR_STEPS", "2"}, {"DIFFUSE_LIGHT", ""}},
+                         {{"SCATTER", ""}, {"NEAR_STEPS", "2"}, {"DIFFUSE_LIGHT", ""}, {"SURFACES", ""}},
+                         {{"SCATTER", ""}, {"NEAR_STEPS", "2"}, {"REFLECT", ""}}};
+    Variants variants;
+    for (gl::Defines defines : kinds) {
+        defines.insert(common.begin(), common.end());
         variants.push_back(defines);
     }
     return variants;
+}
+
+Variants march_variants() {
+    Variants lights = lit_variants();
+    lights.insert(lights.begin(), gl::Defines{});
+    Variants variants;
+    for (const gl::Defines& light : lights) {
+        for (int bits = 0; bits < 64; ++bits) {
+            if ((bits & 2) && (bits & 32)) {
+                continue;  // refinement belongs to pre-integration
+            }
+            gl::Defines defines = light;
+            defines["VOLUMES"] = bits & 1 ? "2" : "1";
+            const auto add = [&](int bit, const char* name) {
+                if (bits & bit) {
+                    defines[name] = "";
+                }
+            };
+            add(2, "SAMPLE_AT_MIDPOINTS");
+            add(4, "LEAP");
+            add(8, "STOP_EARLY");
+            add(16, "COUNT");
+            add(32, "REFINE");
+            variants.push_back(defines);
+        }
+    }
+    return variants;
+}
+
+Variants light_variants(const std::string& file) {
+    Variants variants;
+    for (const bool from_point : {false, true}) {
+        gl::Defines defines;
+        if (from_point) {
+            defines["FROM_POINT"] = "";
+        }
+        const auto add = [&](const gl::Defines& more) {
+            gl::Defines all = defines;
+            all.insert(more.begin(), more.end());
+            variants.push_back(all);
+        };
+        const gl::Defines white{{"BORDER_LIGHT", "vec3(1.0)"}};
+        if (file == "light_sweep.comp") {
+            for (const char* const width : {"WHOLE_SLICES", "ONE_SLICE"}) {
+                for (const char* const empty : {"LEAP", "WALK"}) {
+                    add({{width, ""}, {empty, ""}});
+                    add({{width, ""}, {empty, ""}, {"DIFFUSE", ""}, {"BORDER_LIGHT", "vec3(0.0)"}});
+                    add({{width, ""}, {empty, ""}, {"PAPER", ""}, *white.begin()});
+                }
+            }
+        } else if (file == "light_combine.comp") {
+            add({{"CHANNELS", "1"}, {"FORMAT", "r16f"}});
+            add({{"CHANNELS", "4"}, {"FORMAT", "rgba32f"}, {"ALSO_DIRECT", "r32f"}, *white.begin()});
+        } else {
+            add({{"VOLUMES", "1"}, {"SAMPLE_AT_MIDPOINTS", ""}, {"LEAP", ""}, {"STOP_EARLY", ""}, {"FORMAT", "r16f"}});
+        }
+    }
+    return variants;
+}
+
+/// Every combination of the switches that the passes use.
+Variants variants_of(const std::string& file) {
+    if (file == "path_trace.comp") {
+        return path_trace_variants();
+    }
+    if (file == "volume_march.frag") {
+        return march_variants();
+    }
+    if (file == "light_sweep.comp" || file == "light_combine.comp" || file == "light_rays.comp") {
+        return light_variants(file);
+    }
+    if (file == "light_medium.comp") {
+        return {{}, {{"ALBEDO", ""}}};
+    }
+    if (file == "cloud_noise.comp") {
+        return {{{"TEXEL_FORMAT", "rgba8"}}, {{"TEXEL_FORMAT", "rgba32f"}}};
+    }
+    return {{}};
 }
 
 int expand(const std::string& folder) {
