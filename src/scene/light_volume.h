@@ -44,9 +44,8 @@ struct LightVolumeSettings {
     std::int64_t near_steps = 2;  ///< samples of the data towards the light at each lookup, below the grid's resolution
     double cone_angle_deg = 30.0;  ///< paper: half-angle of the kernel
     bool soft_shadows = false;     ///< paper: blur attenuated light with the same kernel
-    bool toward_eye = false;       ///< paper: a second sweep from the far side to the eye; reruns when the camera moves
-    std::int64_t slices_per_dispatch =
-        0;  ///< slices swept by one launch; 0: chosen by their size. Changes the cost only
+    /// Slices swept by one launch; 0: chosen by their size. Changes the cost only.
+    std::int64_t slices_per_dispatch = 0;
     bool operator==(const LightVolumeSettings&) const = default;
 };
 
@@ -85,9 +84,6 @@ void visit_fields(Self& settings, Visitor&& visit) {
           settings.cone_angle_deg);
     visit(Field{.name = "soft_shadows", .sentence = "paper: blur shadows as the scattered light is blurred"},
           settings.soft_shadows);
-    visit(
-        Field{.name = "toward_eye", .sentence = "paper: a second sweep towards the eye, redone when the camera moves"},
-        settings.toward_eye);
     visit(Field{.name = "slices_per_dispatch",
                 .sentence = "slices swept by one launch on the GPU, 0: chosen; changes the time, not the picture",
                 .min = 0,

@@ -40,7 +40,7 @@ SweepPlan plan_of(const LightCase& c, const scene::Light& light) {
     return plan_sweep(grid, light, {0.0, 0.0, 1.0}, c.axis_count);
 }
 
-Swept sweep(gl::ShaderLibrary& shaders, const LightCase& c, const scene::Light& light) {
+Swept sweep(gl::ShaderLibrary& shaders, const LightCase& c, const scene::Light& light, const EmptySpace& empty) {
     const SweepPlan plan = plan_of(c, light);
     std::vector<float> sigma;
     std::vector<glm::vec4> albedo;
@@ -52,7 +52,7 @@ Swept sweep(gl::ShaderLibrary& shaders, const LightCase& c, const scene::Light& 
     extinction.upload({GL_RED, GL_FLOAT}, sigma.data());
     gl::Texture colour = gl::Texture::make_3d("albedo", GL_RGBA32F, c.cells);
     colour.upload({GL_RGBA, GL_FLOAT}, albedo.data());
-    const SweptLight light_of = sweep_light(shaders, extinction, colour, plan, c.settings);
+    const SweptLight light_of = sweep_light(shaders, extinction, colour, plan, c.settings, empty);
     Swept swept;
     swept.dispatches = light_of.dispatches;
     if (light_of.direct) {

@@ -32,7 +32,7 @@ scene::Light sunlight(glm::dvec3 toward_world);
 scene::Light lamp_at(glm::dvec3 position_world);
 
 SweepPlan plan_of(const LightCase& c, const scene::Light& light);
-Swept sweep(gl::ShaderLibrary& shaders, const LightCase& c, const scene::Light& light);
+Swept sweep(gl::ShaderLibrary& shaders, const LightCase& c, const scene::Light& light, const EmptySpace& empty = {});
 
 /// Length of the way from x to the border of a box of this extent around the origin.
 double way_out(glm::dvec3 extent, glm::dvec3 x, glm::dvec3 direction);

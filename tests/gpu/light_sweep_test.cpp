@@ -273,6 +273,32 @@ TEST_F(LightSweep, Test21TheSameEveryTime) {
     }
 }
 
+TEST_F(LightSweep, KnowingWhereItIsEmptyChangesNoBit) {
+    // Macrocells of two cells, a few of them occupied; distances by brute force.
+    constexpr int n = 32;
+    constexpr int blocks = n / 2;
+    const auto occupied = [](glm::ivec3 block) { return (block.x * 7 + block.y * 13 + block.z * 29) % 97 == 0; };
+    std::vector<std::uint8_t> distance;
+    for_each_cell(glm::ivec3(blocks), [&](glm::ivec3 at, std::size_t) {
+        int nearest = 255;
+        for_each_cell(glm::ivec3(blocks), [&](glm::ivec3 other, std::size_t) {
+            const glm::ivec3 apart = glm::abs(other - at);
+            nearest = occupied(other) ? std::min(nearest, std::max({apart.x, apart.y, apart.z})) : nearest;
+        });
+        distance.push_back(std::uint8_t(nearest));
+    });
+    gl::Texture emptiness = gl::Texture::make_3d("emptiness", GL_R8UI, glm::ivec3(blocks));
+    emptiness.set_nearest();
+    emptiness.upload({GL_RED_INTEGER, GL_UNSIGNED_BYTE}, distance.data());
+    LightCase c{.cells = glm::ivec3(n), .sigma = [&](glm::ivec3 at) { return occupied(at / 2) ? 40.0 : 0.0; }};
+    for (const scene::Light& light :
+         {sunlight(oblique), sunlight({0.1, 0.0, 1.0}), sunlight({0.25, 0.9, 0.3}), lamp_at({0.1, 0.2, 0.05})}) {
+        const Swept without = sweep(shaders(), c, light);
+        const Swept with = sweep(shaders(), c, light, {&emptiness, glm::dvec3(0.5), glm::dvec3(0.0)});
+        EXPECT_EQ(with.direct, without.direct);
+    }
+}
+
 TEST_F(LightSweep, AxesWithoutWeightCostNothing) {
     const LightCase c = blobs(8);
     EXPECT_EQ(plan_of(c, sunlight({0.0, 0.0, 1.0})).axes.size(), 1U);

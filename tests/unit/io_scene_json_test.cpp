@@ -66,7 +66,6 @@ scene::Scene rich_scene() {
                                                      .near_steps = 4,
                                                      .cone_angle_deg = 20.0,
                                                      .soft_shadows = true,
-                                                     .toward_eye = true,
                                                      .slices_per_dispatch = 2};
     volume.clip = scene::ClipBox{{0.1, 0.2, 0.3}, {0.9, 0.8, 0.7}};
     scene::Node node;
