@@ -13,6 +13,7 @@
 #include "app/verbs/verbs.h"
 #include "base/error.h"
 #include "base/log.h"
+#include "io/atomic_file.h"
 #include "io/picture_file.h"
 #include "reference/render_scattering.h"
 
