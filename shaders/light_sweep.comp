@@ -20,6 +20,11 @@ layout(local_size_x = 16, local_size_y = 8) in;
 #include "include/optical_depth.glsl"
 
 uniform sampler3D extinction;  // times the grid's longest edge; filtered linearly, clamped
+#ifdef LEAP
+uniform usampler3D emptiness;  // distance to the nearest occupied macrocell; 0: occupied
+uniform vec3 macrocells_per_cell;
+uniform vec3 macrocell_of_origin;
+#endif
 uniform int slice_begin;       // counted from the light
 uniform int slice_end;
 
@@ -122,21 +127,31 @@ void sweep_cell(int slot, int order, ivec2 uv, ivec2 size)
 
     // Trapezoids between samples after each whole cell of sideways shift and at the end: a wall as thin as a cell is
     // not jumped over.
-    float shifted = length(shift);
-    float sigma = texelFetch(extinction, cell, 0).x;
-    float depth = 0.0;
-    float t = 0.0;
-    int whole = int(min(ceil(shifted * end), 8192.0));
-    vec3 inverse_cells = 1.0 / vec3(cells);
-    for (int n = 1; n <= whole || n == 1; ++n) {
-        float next = n < whole ? float(n) / shifted : end;
-        float sigma_next = textureLod(extinction, (x + next * way) * inverse_cells, 0.0).x;
-        depth += 0.5 * (sigma + sigma_next) * (next - t);
-        sigma = sigma_next;
-        t = next;
+    float opacity = 0.0;
+    float tau = 0.0;
+#ifdef LEAP
+    // All that the segment looks up: its points, a cell around for interpolation, and the cells' own halves.
+    vec3 reach = (abs(way) * end + 1.5) * macrocells_per_cell;
+    uint free = texelFetch(emptiness, ivec3(x * macrocells_per_cell + macrocell_of_origin), 0).x;
+    if (max(reach.x, max(reach.y, reach.z)) > float(free) - 1.0)
+#endif
+    {
+        float shifted = length(shift);
+        float sigma = texelFetch(extinction, cell, 0).x;
+        float depth = 0.0;
+        float t = 0.0;
+        int whole = int(min(ceil(shifted * end), 8192.0));
+        vec3 inverse_cells = 1.0 / vec3(cells);
+        for (int n = 1; n <= whole || n == 1; ++n) {
+            float next = n < whole ? float(n) / shifted : end;
+            float sigma_next = textureLod(extinction, (x + next * way) * inverse_cells, 0.0).x;
+            depth += 0.5 * (sigma + sigma_next) * (next - t);
+            sigma = sigma_next;
+            t = next;
+        }
+        tau = depth * length(unit_from_cells * way);
+        opacity = opacity_of(tau);
     }
-    float tau = depth * length(unit_from_cells * way);
-    float opacity = opacity_of(tau);
 
     State arriving = unshadowed;
     if (!lit_directly) {

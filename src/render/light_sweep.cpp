@@ -124,7 +124,7 @@ std::array<double, 9> cone_kernel(double g, double cone_angle_rad, glm::dvec3 ce
 }
 
 SweptLight sweep_light(gl::ShaderLibrary& shaders, const gl::Texture& extinction, const gl::Texture& albedo,
-                       const SweepPlan& plan, const SweepSettings& settings) {
+                       const SweepPlan& plan, const SweepSettings& settings, const EmptySpace& empty) {
     const bool single = settings.precision == scene::LightPrecision::single;
     const bool several = settings.state != SweptState::direct;
     gl::Defines defines;
@@ -160,6 +160,9 @@ SweptLight sweep_light(gl::ShaderLibrary& shaders, const gl::Texture& extinction
     if (whole) {
         defines.emplace("WHOLE_SLICES", "");
     }
+    if (empty.distance != nullptr) {
+        defines.emplace("LEAP", "");
+    }
 
     SweptLight result;
     const GLenum format = several ? (single ? GL_RGBA32F : GL_RGBA16F) : (single ? GL_R32F : GL_R16F);
@@ -192,6 +195,12 @@ SweptLight sweep_light(gl::ShaderLibrary& shaders, const gl::Texture& extinction
         albedo.bind(1);
         sweep.set("extinction", 0);
         sweep.set("albedo", 1);
+        if (empty.distance != nullptr) {
+            empty.distance->bind(2);
+            sweep.set("emptiness", 2);
+            sweep.set("macrocells_per_cell", glm::vec3(empty.macrocells_per_cell));
+            sweep.set("macrocell_of_origin", glm::vec3(empty.macrocell_of_origin));
+        }
         result.dispatches += sweep_group(sweep, plan, group, settings, whole, per_dispatch);
 
         gl::Program& combine = shaders.get("light_combine.comp", combine_defines);

@@ -23,6 +23,13 @@ struct SweepSettings {
     bool operator==(const SweepSettings&) const = default;
 };
 
+/// Where the medium is known to be empty: see Emptiness. No attenuation is looked up there, which changes no bit.
+struct EmptySpace {
+    const gl::Texture* distance = nullptr;  ///< none: nothing is known
+    glm::dvec3 macrocells_per_cell{1.0};
+    glm::dvec3 macrocell_of_origin{0.0};  ///< of cell (0, 0, 0)'s corner
+};
+
 struct SweptLight {
     gl::Texture direct, beside;  ///< see LightTextures
     int dispatches = 0;
@@ -30,7 +37,7 @@ struct SweptLight {
 
 /// Sweeps one light through a medium and combines the axes.
 SweptLight sweep_light(gl::ShaderLibrary& shaders, const gl::Texture& extinction, const gl::Texture& albedo,
-                       const SweepPlan& plan, const SweepSettings& settings);
+                       const SweepPlan& plan, const SweepSettings& settings, const EmptySpace& empty = {});
 
 /// Weights of the 3 x 3 cells around the crossing of the previous slice, for light from within a cone about the way to
 /// the light, by the phase function over the solid angle of each cell; their sum is 1. Row by row; `cell` holds the

@@ -7,6 +7,7 @@
 #include "gl/shader_library.h"
 #include "render/frame_graph.h"
 #include "render/passes/march_pass.h"
+#include "render/passes/path_trace_pass.h"
 #include "scene/scene.h"
 
 namespace bruma::render {
@@ -16,6 +17,14 @@ struct SampleTotals {
     std::uint64_t samples = 0;
     std::uint64_t emptiness_queries = 0;
     double samples_per_pixel = 0.0;
+};
+
+/// How far path tracing has come.
+struct PathStanding {
+    int samples = 0;  ///< paths that every pixel has
+    /// Root mean square over pixels and colours of the mean's standard error, radiance: about the picture's RMSE from
+    /// the truth. Nothing below two paths.
+    std::optional<double> standard_error;
 };
 
 /// Pictures of a scene. Keeps a frame graph between pictures, so that each one costs only what changed.
@@ -34,6 +43,13 @@ class Renderer {
     /// Counts the samples of the last view by drawing it once more; `picture` is not touched.
     SampleTotals count_samples(const scene::Scene& scene, const View& view);
 
+    /// Paths that every pixel of the last picture has; nothing when it was not path traced.
+    std::optional<int> path_samples() const;
+    /// The same with the error, which is read back from the GPU.
+    std::optional<PathStanding> path_standing() const;
+    /// Standard error of each channel of a path traced picture, top row first; 0 below two paths.
+    Image read_standard_error() const;
+
     const FrameGraph& graph() const { return graph_; }
     /// World length of a step for this scene, metres.
     static double step_world(const scene::Scene& scene);
@@ -41,10 +57,13 @@ class Renderer {
   private:
     void update(const scene::Scene& scene, const View& view);
     void update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world);
+    int wanted_picture() const { return path_traced_ ? path_trace_.paths.index : march_.picture.index; }
 
     FrameGraph graph_;
     gl::ShaderLibrary& shaders_;
     MarchPass march_;
+    PathTracePass path_trace_;
+    bool path_traced_ = false;
     MarchPass::Volumes volumes_;
     MarchPass::Lights lights_;  ///< of the volumes that scatter
 };

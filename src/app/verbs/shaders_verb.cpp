@@ -15,6 +15,14 @@ namespace {
 
 /// Every combination of the switches that the passes use.
 std::vector<gl::Defines> variants_of(const std::string& file) {
+    if (file == "path_trace.comp") {
+        std::vector<gl::Defines> variants;
+        for (const char* const lights : {"0", "2", "5"}) {
+            variants.push_back({{"VOLUMES", "1"}, {"LIGHTS", lights}});
+            variants.push_back({{"VOLUMES", "2"}, {"LIGHTS", lights}, {"GLOW", ""}});
+        }
+        return variants;
+    }
     if (file != "volume_march.frag") {
         return {{}};
     }

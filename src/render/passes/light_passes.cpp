@@ -28,8 +28,8 @@ struct SweepParameters {
     SweepPlan plan;
     LightTransport transport = LightTransport::direct;
     SweepSettings settings;
-    // Shadow rays only.
     scene::ClipBox clip;
+    // Shadow rays only.
     glm::dmat4 world_from_texture{1.0};
     double step_world = 0.0;
     double tau_per_step = 0.0;
@@ -223,7 +223,7 @@ Handle<LightTextures> LightPasses::update_sweep(const std::string& light_name, L
         if (rays) {
             reads.insert(reads.end(), {volume_.voxels.index, volume_.emptiness.index, volume_.transfer_function.index});
         } else {
-            reads.push_back(medium.medium.index);
+            reads.insert(reads.end(), {medium.medium.index, volume_.emptiness.index});
         }
         sweep.pass = graph_.add_pass(
             {name,
@@ -233,10 +233,12 @@ Handle<LightTextures> LightPasses::update_sweep(const std::string& light_name, L
              {}});
         found = sweeps_.emplace(std::pair(light_name, transport), sweep).first;
     }
-    SweepParameters parameters{plan, transport, {}, {}, glm::dmat4(1.0), 0.0, 0.0, {}};
+    SweepParameters parameters;
+    parameters.plan = plan;
+    parameters.transport = transport;
     parameters.settings.precision = settings.precision;
+    parameters.clip = *volume.clip;
     if (rays) {
-        parameters.clip = *volume.clip;
         parameters.world_from_texture = world_from_texture;
         parameters.step_world = step_world;
         parameters.tau_per_step =
