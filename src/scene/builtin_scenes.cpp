@@ -99,11 +99,11 @@ Scene knots() {
 /// Warm light from the left, blue light from behind the right, which shows what comes through, and a little from above.
 void light_from_three_sides(Scene& scene) {
     scene.lights["left"] =
-        Light{.direction_world = {-0.85, 0.45, 0.45}, .color = {1.0, 0.5, 0.18}, .intensity = 2.4 * pi};
+        Light{.direction_world = {-0.85, 0.45, 0.45}, .color = {1.0, 0.5, 0.18}, .intensity = 3.0 * pi};
     scene.lights["right"] =
-        Light{.direction_world = {0.85, 0.2, -0.6}, .color = {0.15, 0.4, 1.0}, .intensity = 4.0 * pi};
+        Light{.direction_world = {0.85, 0.2, -0.6}, .color = {0.15, 0.4, 1.0}, .intensity = 4.6 * pi};
     scene.lights["above"] =
-        Light{.direction_world = {0.1, 1.0, -0.2}, .color = {0.92, 1.0, 0.88}, .intensity = 0.3 * pi};
+        Light{.direction_world = {0.1, 1.0, -0.2}, .color = {0.92, 1.0, 0.88}, .intensity = 0.4 * pi};
     scene.background = Background{.top = {0.004, 0.005, 0.008}, .bottom = {0.030, 0.034, 0.044}};
 }
 

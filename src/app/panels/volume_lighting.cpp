@@ -18,6 +18,11 @@ bool any_of(const std::array<std::string_view, N>& names, std::string_view name)
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// Whether light is computed ahead, from each light through a grid.
+bool has_light_grid(VolumeLighting lighting) {
+    return lighting == VolumeLighting::light_volume || lighting == VolumeLighting::shadow_rays;
+}
+
 /// Phase functions are shares of 4 pi: this irradiance makes the light that a white medium scatters once as bright
 /// as 1.
 constexpr double sun_irradiance = 4.0 * std::numbers::pi;
@@ -32,7 +37,7 @@ bool is_about_surfaces(std::string_view field) {
 
 bool optics_field_matters(const scene::VolumeOptics& optics, std::string_view field) {
     const VolumeLighting lighting = optics.lighting;
-    const bool swept = lighting == VolumeLighting::light_volume || lighting == VolumeLighting::shadow_rays;
+    const bool swept = has_light_grid(lighting);
     if (field == "albedo" || field == "g") {
         return scene::scatters(lighting);
     }
@@ -95,7 +100,7 @@ std::string light_left_out(const scene::Scene& scene, const scene::Volume& volum
 }
 
 bool lacks_sun(const scene::Scene& scene, const scene::Volume& volume) {
-    return scene::scatters(volume.optics->lighting) &&
+    return has_light_grid(volume.optics->lighting) &&
            std::none_of(scene.lights.begin(), scene.lights.end(), [](const auto& entry) {
                return scene::shines(*entry.second) && entry.second->kind != LightKind::headlight;
            });

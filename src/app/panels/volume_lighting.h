@@ -15,7 +15,7 @@ bool is_about_surfaces(std::string_view field);
 /// One sentence: which part of the light the volume's lighting leaves out in this scene.
 std::string light_left_out(const scene::Scene& scene, const scene::Volume& volume);
 
-/// Whether a scattering volume has no other light than headlights.
+/// Whether light is swept through the volume, and from no other lights than headlights.
 bool lacks_sun(const scene::Scene& scene, const scene::Volume& volume);
 /// Puts a directional light over the viewer's left shoulder, under which a white medium that scatters all light once is
 /// as bright as its colour, in the place of all headlights; returns its name.

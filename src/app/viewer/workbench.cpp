@@ -87,7 +87,8 @@ void Workbench::show_panels() {
 std::string Workbench::words_under_cursor() const {
     const ImGuiIO& io = ImGui::GetIO();
     const bool has_volumes = !scene::shown_volumes(scene_).empty();
-    if (io.WantCaptureMouse || area_.x < 1 || area_.y < 1 || !has_volumes || !view_.fault().empty()) {
+    if (io.WantCaptureMouse || area_.x < 1 || area_.y < 1 || !has_volumes || !view_.fault().empty() ||
+        render::is_path_traced(scene_)) {  // its opacity is a share of a few paths
         return "";
     }
     const glm::dvec2 pixel(io.MousePos.x * io.DisplayFramebufferScale.x, io.MousePos.y * io.DisplayFramebufferScale.y);
