@@ -92,7 +92,7 @@ bool edit_value(const Field& field, double& value) {
         const double low = field.panel_min * factor;
         const double high = field.panel_max * factor;
         const ImGuiSliderFlags flags = field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0;
-        const std::string format = (field.logarithmic ? "%.4g" : "%.3f") + unit;
+        const std::string format = (field.logarithmic ? "%.4g" : field.unit == "deg" ? "%.1f" : "%.3f") + unit;
         changed = ImGui::SliderScalar(label_of(field).c_str(), ImGuiDataType_Double, &number, &low, &high,
                                       format.c_str(), flags);
     } else {
@@ -108,7 +108,14 @@ bool edit_value(const Field& field, double& value) {
 
 bool edit_value(const Field& field, std::int64_t& value) {
     narrow();
-    const bool changed = ImGui::InputScalar(label_of(field).c_str(), ImGuiDataType_S64, &value);
+    bool changed = false;
+    if (field.panel_min != field.panel_max) {
+        const auto low = std::int64_t(field.panel_min);
+        const auto high = std::int64_t(field.panel_max);
+        changed = ImGui::SliderScalar(label_of(field).c_str(), ImGuiDataType_S64, &value, &low, &high);
+    } else {
+        changed = ImGui::InputScalar(label_of(field).c_str(), ImGuiDataType_S64, &value);
+    }
     tooltip(field.sentence);
     if (changed) {
         value = std::int64_t(std::clamp(double(value), std::max(field.min, -9e18), std::min(field.max, 9e18)));
