@@ -1,10 +1,12 @@
 // Light scattered to the eye inside a volume: single scattering with the phase function of Henyey and Greenstein (1941)
-// from a grid of direct light, and what was scattered before from a grid of diffuse light, each one texture per light.
+// from a grid of direct light, and what was scattered before from a grid of diffuse light.
 // Below the grid's resolution the last stretch to the light is looked up in the data themselves.
 // DIFFUSE_LIGHT: there is such a grid. SURFACES: surfaces are shaded by their normals as well. NEAR_STEPS: samples.
 
-uniform sampler3D direct_light[VOLUMES * light_count + 1];
-uniform sampler3D diffuse_light[VOLUMES * light_count + 1];
+// The grids of all lights are stacked along z in one texture: indexing samplers by light is beyond some drivers.
+uniform sampler3D direct_light[VOLUMES];
+uniform sampler3D diffuse_light[VOLUMES];
+uniform vec2 half_cell[VOLUMES];                // along z of the two grids, as a share of one of them
 uniform vec3 grid_from_texture_scale[VOLUMES];  // texture space -> [0,1] over the light grid
 uniform vec3 grid_from_texture_shift[VOLUMES];
 uniform vec3 light_cells[VOLUMES];              // cells of the light grid per unit of texture space
@@ -12,6 +14,12 @@ uniform mat3 texture_from_world[VOLUMES];       // texture space per step
 uniform float asymmetry[VOLUMES];               // g
 uniform int scatter_kind[VOLUMES];              // 0: not a scattering volume, 1: physical, 2: chromaticity
 const float near_cells = NEAR_STEPS > 0 ? 1.5 : 0.5;
+
+// A place in the grid of light n, within its slab of the stack.
+vec3 in_stack(vec3 place, int n, float half_cell)
+{
+    return vec3(place.xy, (float(n) + clamp(place.z, half_cell, 1.0 - half_cell)) * (1.0 / float(max(light_count, 1))));
+}
 
 // The phase function times 4 pi; `cosine` between the ways of travel before and after.
 float phase_4pi(float g, float cosine)
@@ -41,7 +49,7 @@ float arriving_light(int m, int n, vec3 x, Incident incident, out vec3 lookup)
     lookup = (x + way * reach) * grid_from_texture_scale[m] + grid_from_texture_shift[m];
     // Cells at the border hold light from inside of them: over their outer half it is led to what comes from outside.
     float inside = clamp(2.0 * rate * (outside - reach), 0.0, 1.0);
-    float direct = textureLod(direct_light[m * light_count + n], lookup, 0.0).x;
+    float direct = textureLod(direct_light[m], in_stack(lookup, n, half_cell[m].x), 0.0).x;
     return transmittance * mix(1.0, direct, inside);
 }
 
@@ -60,7 +68,7 @@ vec3 scattered_source(int m, vec3 color, float weight, float t)
         vec3 chromaticity = vec3(1.0);
         vec3 diffuse = vec3(0.0);
 #ifdef DIFFUSE_LIGHT
-        vec3 beside = textureLod(diffuse_light[m * light_count + n], lookup, 0.0).xyz;
+        vec3 beside = textureLod(diffuse_light[m], in_stack(lookup, n, half_cell[m].y), 0.0).xyz;
         if (scatter_kind[m] == 2) {
             chromaticity = 4.0 * beside;
         } else {

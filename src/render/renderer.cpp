@@ -72,18 +72,16 @@ void Renderer::update(const scene::Scene& scene, const View& view) {
 }
 
 void Renderer::update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world) {
-    std::map<std::string, scene::Light> shining;
-    for (const auto& [name, light] : scene.lights) {
-        if (scene::shines(*light)) {
-            shining.emplace(name, *light);
-        }
+    std::vector<std::pair<std::string, scene::Light>> shining;
+    for (const std::string& name : MarchPass::order_lights(scene)) {
+        shining.emplace_back(name, *scene.lights.at(name));
     }
     const glm::dvec3 back = scene::camera_frame(**scene.camera).back_world;
     // A volume that scatters nothing, or in the dark, needs no light.
     const auto needs_light = [&](const std::string& name) {
         const auto& optics = *std::get<scene::Volume>(scene.nodes.at(name).content).optics;
-        return !is_path_traced(scene) && scene::scatters(optics.lighting) && (optics.albedo != glm::dvec3(0.0) || optics.surfaces) &&
-               !shining.empty();
+        return !is_path_traced(scene) && scene::scatters(optics.lighting) &&
+               (optics.albedo != glm::dvec3(0.0) || optics.surfaces) && !shining.empty();
     };
     std::erase_if(lights_, [&](const auto& entry) {
         return std::find(shown.begin(), shown.end(), entry.first) == shown.end() || !needs_light(entry.first);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/error.h"
 #include "render/light_sweep.h"
 
 namespace bruma::render {
@@ -142,6 +143,31 @@ gl::Texture trace_shadow_rays(gl::ShaderLibrary& shaders, const VolumeTexture& v
     return direct;
 }
 
+/// Copies one texture of each part into slabs along z. `node` is for the message.
+void stack_textures(const PassAccess& access, const std::vector<Handle<LightTextures>>& parts,
+                    gl::Texture LightTextures::*which, const std::string& node, gl::Texture& stack) {
+    const gl::Texture& first = access.read(parts.front()).*which;
+    if (!first) {
+        stack = {};
+        return;
+    }
+    const glm::ivec3 slab = first.size();
+    GLint deepest = 0;
+    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &deepest);
+    if (slab.z * int(parts.size()) > deepest) {
+        throw InputError(
+            fmt::format("nodes.{}: the light volumes of {} lights, {} cells deep each, exceed the driver's {} in one "
+                        "texture; switch lights off or choose a coarser light_volume.resolution",
+                        node, parts.size(), slab.z, deepest));
+    }
+    stack = gl::Texture::make_3d("light of all", first.format(), {slab.x, slab.y, slab.z * int(parts.size())});
+    for (std::size_t n = 0; n < parts.size(); ++n) {
+        const gl::Texture& part = access.read(parts[n]).*which;
+        glCopyImageSubData(part.name(), GL_TEXTURE_3D, 0, 0, 0, 0, stack.name(), GL_TEXTURE_3D, 0, 0, 0,
+                           slab.z * int(n), slab.x, slab.y, slab.z);
+    }
+}
+
 const char* words_of(LightTransport transport) {
     switch (transport) {
         case LightTransport::diffuse:
@@ -165,9 +191,9 @@ LightPasses::~LightPasses() {
     for (const auto& [key, sweep] : sweeps_) {
         graph_.remove_pass(sweep.pass);
     }
-    for (const Medium& medium : {fine_, coarse_}) {
-        if (medium.pass.index >= 0) {
-            graph_.remove_pass(medium.pass);
+    for (const PassId pass : {fine_.pass, coarse_.pass, direct_stack_.pass, beside_stack_.pass}) {
+        if (pass.index >= 0) {
+            graph_.remove_pass(pass);
         }
     }
     graph_.remove_source(shader_revision_.index);
@@ -281,8 +307,35 @@ Handle<LightTextures> LightPasses::update_sweep(const std::string& light_name, L
     return sweep.light;
 }
 
+Handle<LightTextures> LightPasses::update_stack(Stack& stack, const char* name,
+                                                const std::vector<Handle<LightTextures>>& parts) {
+    if (parts.size() < 2) {
+        return parts.empty() ? Handle<LightTextures>{} : parts.front();
+    }
+    if (stack.pass.index < 0) {
+        stack.light = graph_.add_product<LightTextures>(fmt::format("{}: {}", node_name_, name));
+        stack.pass = graph_.add_pass({fmt::format("{}: {}", node_name_, name),
+                                      "the grids of all lights in one texture",
+                                      {},
+                                      {stack.light.index},
+                                      {}});
+    }
+    std::vector<int> reads;
+    for (const Handle<LightTextures> part : parts) {
+        reads.push_back(part.index);
+    }
+    graph_.set_reads(stack.pass, reads);
+    graph_.set_execute(stack.pass, [parts, node = node_name_, product = stack.light](const PassAccess& access) {
+        LightTextures& out = access.write(product);
+        out.grid = access.read(parts.front()).grid;
+        stack_textures(access, parts, &LightTextures::direct, node, out.direct);
+        stack_textures(access, parts, &LightTextures::beside, node, out.beside);
+    });
+    return stack.light;
+}
+
 void LightPasses::update(const scene::Volume& volume, const glm::dmat4& world_from_texture,
-                         const std::map<std::string, scene::Light>& lights, glm::dvec3 camera_back_world,
+                         const std::vector<std::pair<std::string, scene::Light>>& lights, glm::dvec3 camera_back_world,
                          double step_world) {
     graph_.set_source(shader_revision_, 0, shaders_.revision());
     const scene::LightVolumeSettings& settings = *volume.light_volume;
@@ -299,26 +352,24 @@ void LightPasses::update(const scene::Volume& volume, const glm::dmat4& world_fr
     if (diffuse) {
         update_medium(coarse_, "diffuse light medium", volume, coarse_grid, 2 * coarsening, true);
     }
-    lamps_.clear();
+    const LightTransport transport = rays    ? LightTransport::shadow_rays
+                                     : paper ? LightTransport::chromaticity
+                                             : LightTransport::direct;
     std::map<std::pair<std::string, LightTransport>, Sweep> kept;
+    std::vector<Handle<LightTextures>> direct, beside;
     for (const auto& [name, light] : lights) {
-        const LightTransport transport = rays    ? LightTransport::shadow_rays
-                                         : paper ? LightTransport::chromaticity
-                                                 : LightTransport::direct;
-        Lamp lamp;
-        lamp.direct = update_sweep(name, transport, plan_sweep(grid_, light, camera_back_world, paper ? 2 : 3), volume,
-                                   world_from_texture, step_world);
+        direct.push_back(update_sweep(name, transport, plan_sweep(grid_, light, camera_back_world, paper ? 2 : 3),
+                                      volume, world_from_texture, step_world));
         kept.insert(*sweeps_.find({name, transport}));
-        if (paper) {
-            lamp.beside = lamp.direct;
-        }
         if (diffuse) {
-            lamp.beside = update_sweep(name, LightTransport::diffuse, plan_sweep(coarse_grid, light, camera_back_world),
-                                       volume, world_from_texture, step_world);
+            beside.push_back(update_sweep(name, LightTransport::diffuse,
+                                          plan_sweep(coarse_grid, light, camera_back_world), volume, world_from_texture,
+                                          step_world));
             kept.insert(*sweeps_.find({name, LightTransport::diffuse}));
         }
-        lamps_[name] = lamp;
     }
+    stacked_ = update_stack(direct_stack_, "light of all", direct);
+    stacked_beside_ = paper ? stacked_ : update_stack(beside_stack_, "diffuse light of all", beside);
     for (const auto& [key, sweep] : sweeps_) {
         if (!kept.contains(key)) {
             graph_.remove_pass(sweep.pass);

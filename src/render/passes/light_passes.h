@@ -35,17 +35,16 @@ class LightPasses {
     LightPasses(const LightPasses&) = delete;
     LightPasses& operator=(const LightPasses&) = delete;
 
-    struct Lamp {
-        Handle<LightTextures> direct;
-        Handle<LightTextures> beside;  ///< index -1: nothing beside direct light
-        bool operator==(const Lamp&) const = default;
-    };
-
-    /// Hands the graph this frame's parameters. `lights`: those that shine. `step_world`: of shadow rays, metres.
+    /// Hands the graph this frame's parameters. `lights`: those that shine, with their names, in the marcher's order.
+    /// `step_world`: of shadow rays, metres.
     void update(const scene::Volume& volume, const glm::dmat4& world_from_texture,
-                const std::map<std::string, scene::Light>& lights, glm::dvec3 camera_back_world, double step_world);
+                const std::vector<std::pair<std::string, scene::Light>>& lights, glm::dvec3 camera_back_world,
+                double step_world);
 
-    const std::map<std::string, Lamp>& lamps() const { return lamps_; }
+    /// The light of all lamps, in the order of `names`, stacked along z: a texture each for direct light and for what
+    /// is beside it. Of a single lamp, its own.
+    Handle<LightTextures> stacked() const { return stacked_; }
+    Handle<LightTextures> stacked_beside() const { return stacked_beside_; }  ///< index -1: nothing beside
     /// The grid of direct light.
     const LightGrid& grid() const { return grid_; }
 
@@ -61,6 +60,11 @@ class LightPasses {
     Handle<LightTextures> update_sweep(const std::string& light_name, LightTransport transport, const SweepPlan& plan,
                                        const scene::Volume& volume, const glm::dmat4& world_from_texture,
                                        double step_world);
+    struct Stack {
+        Handle<LightTextures> light;
+        PassId pass;
+    };
+    Handle<LightTextures> update_stack(Stack& stack, const char* name, const std::vector<Handle<LightTextures>>& parts);
     void update_medium(Medium& medium, const char* name, const scene::Volume& volume, const LightGrid& grid,
                        int samples, bool with_albedo);
 
@@ -72,7 +76,8 @@ class LightPasses {
     Medium fine_, coarse_;
     LightGrid grid_;
     std::map<std::pair<std::string, LightTransport>, Sweep> sweeps_;  ///< by light
-    std::map<std::string, Lamp> lamps_;
+    Stack direct_stack_, beside_stack_;
+    Handle<LightTextures> stacked_, stacked_beside_;
 };
 
 }  // namespace bruma::render

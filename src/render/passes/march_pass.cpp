@@ -84,19 +84,6 @@ scene::Camera started_near(const scene::Camera& camera, const std::vector<glm::d
     return nearer;
 }
 
-/// Names of the lights that shine, directional ones first. Black ones cost nothing.
-std::vector<std::string> order_lights(const scene::Scene& scene) {
-    std::vector<std::string> lights;
-    for (const bool points : {false, true}) {
-        for (const auto& [name, light] : scene.lights) {
-            if (scene::shines(*light) && scene::has_position(*light) == points) {
-                lights.push_back(name);
-            }
-        }
-    }
-    return lights;
-}
-
 /// Whether the volume's surfaces are shaded by the gradient of its data.
 bool reflects(const scene::VolumeOptics& optics) {
     return optics.lighting == scene::VolumeLighting::gradient || (scene::scatters(optics.lighting) && optics.surfaces);
@@ -128,6 +115,18 @@ MarchPass::MarchPass(FrameGraph& graph, gl::ShaderLibrary& shaders) : graph_(gra
     count_ = graph.add_pass({"count samples", "the same march, counting what it looks up", {}, {counts.index}, {}});
 }
 
+std::vector<std::string> MarchPass::order_lights(const scene::Scene& scene) {
+    std::vector<std::string> lights;
+    for (const bool points : {false, true}) {
+        for (const auto& [name, light] : scene.lights) {
+            if (scene::shines(*light) && scene::has_position(*light) == points) {
+                lights.push_back(name);
+            }
+        }
+    }
+    return lights;
+}
+
 void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights, const View& view,
                        double step_world) {
     graph_.set_source(camera_, **scene.camera, scene.camera->revision());
@@ -152,6 +151,7 @@ void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const 
                           grid.largest > grid.smallest ? grid.largest - grid.smallest : 1.0,
                           *volume.light_volume,
                           {},
+                          {},
                           {}};
         reads.insert(reads.end(), {input.voxels.index, input.tables.index});
         if (scene.rendering->empty_space_skipping) {
@@ -163,12 +163,11 @@ void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const 
         }
         if (const auto found = lights.find(name); found != lights.end()) {
             input.light_grid = found->second->grid();
-            for (const std::string& light : shining) {
-                const LightPasses::Lamp& lamp = found->second->lamps().at(light);
-                input.lamps.push_back(lamp);
-                reads.push_back(lamp.direct.index);
-                if (lamp.beside.index >= 0 && lamp.beside != lamp.direct) {
-                    reads.push_back(lamp.beside.index);
+            input.light = found->second->stacked();
+            input.beside = found->second->stacked_beside();
+            for (const Handle<LightTextures> handle : {input.light, input.beside}) {
+                if (handle.index >= 0 && reads.back() != handle.index) {
+                    reads.push_back(handle.index);
                 }
             }
         }
@@ -203,8 +202,7 @@ gl::Program& MarchPass::program(const PassAccess& access, const Parameters& para
             if (scene::scatters(input.optics.lighting)) {
                 defines["SCATTER"] = "";
                 near_steps = std::max(near_steps, input.light_volume.near_steps);
-                if (std::any_of(input.lamps.begin(), input.lamps.end(),
-                                [](const auto& lamp) { return lamp.beside.index >= 0; })) {
+                if (input.beside.index >= 0) {
                     defines["DIFFUSE_LIGHT"] = "";
                 }
             }
@@ -340,19 +338,18 @@ void MarchPass::bind_light(const PassAccess& access, gl::Program& program, const
     program.set_at("light_cells", index, "", glm::vec3(glm::dvec3(input.light_grid.cells) / extent));
     const glm::dmat3 texture_from_world(glm::inverse(input.world_from_texture));
     program.set_at("texture_from_world", index, "", glm::mat3(texture_from_world * parameters.step_world));
-    const gl::Texture none;
-    for (std::size_t n = 0; n < parameters.lights.size(); ++n) {
-        const auto lamp = n < input.lamps.size() ? input.lamps[n] : LightPasses::Lamp{};
-        const auto bind = [&](const char* sampler, const gl::Texture& texture) {
-            texture.bind(unit);
-            program.set_at(sampler, index * int(parameters.lights.size()) + int(n), "", int(unit));
-            ++unit;
-        };
-        if (scatters || lamp.direct.index >= 0) {
-            bind("direct_light", lamp.direct.index >= 0 ? access.read(lamp.direct).direct : none);
-            bind("diffuse_light", lamp.beside.index >= 0 ? access.read(lamp.beside).beside : none);
-        }
-    }
+    const auto bind = [&](const char* sampler, Handle<LightTextures> light, gl::Texture LightTextures::*which) {
+        const gl::Texture none;
+        const gl::Texture& texture = light.index >= 0 ? access.read(light).*which : none;
+        texture.bind(unit);
+        program.set_at(sampler, index, "", int(unit));
+        ++unit;
+        const double deep = texture ? double(texture.size().z) / double(parameters.lights.size()) : 1.0;
+        return float(0.5 / deep);
+    };
+    const float direct_half = bind("direct_light", input.light, &LightTextures::direct);
+    const float beside_half = bind("diffuse_light", input.beside, &LightTextures::beside);
+    program.set_at("half_cell", index, "", glm::vec2(direct_half, beside_half));
 }
 
 void MarchPass::draw(const PassAccess& access, const Parameters& parameters, bool counting) {

@@ -46,6 +46,10 @@ class MarchPass {
   public:
     MarchPass(FrameGraph& graph, gl::ShaderLibrary& shaders);
 
+    /// Names of the lights that shine, directional ones first: the order in which light is stacked. Black ones cost
+    /// nothing.
+    static std::vector<std::string> order_lights(const scene::Scene& scene);
+
     using Volumes = std::map<std::string, std::unique_ptr<VolumePasses>>;
     using Lights = std::map<std::string, std::unique_ptr<LightPasses>>;
     /// Hands the graph this frame's sources and parameters. `lights`: of the volumes that scatter.
@@ -69,7 +73,8 @@ class MarchPass {
         double data_range = 1.0;
         scene::LightVolumeSettings light_volume;
         LightGrid light_grid;
-        std::vector<LightPasses::Lamp> lamps;  ///< in the order of Parameters::lights
+        Handle<LightTextures> light;   ///< index -1: none, or the volume does not scatter
+        Handle<LightTextures> beside;  ///< index -1: nothing beside direct light
         bool operator==(const VolumeInput&) const = default;
     };
     struct Parameters {
