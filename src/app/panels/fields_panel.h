@@ -53,9 +53,13 @@ std::string readable(std::string_view name);
 /// stands".
 bool is_for_another_word(std::string_view sentence, std::span<const std::string_view> words, std::size_t chosen);
 
+struct IgnoreField {
+    void operator()(const Field&) const {}
+};
+
 /// Widgets for all fields for which `wanted(field)` holds, but not for those that only serve another choice of an
 /// enumeration than the present one. `drawn(field)` is called after each.
-template <class T, class Wanted, class Drawn = decltype([](const Field&) {})>
+template <class T, class Wanted, class Drawn = IgnoreField>
 bool edit_fields(T& value, Wanted&& wanted, Drawn&& drawn = {}) {
     bool changed = false;
     std::vector<std::pair<std::span<const std::string_view>, std::size_t>> choices;
@@ -78,7 +82,7 @@ bool edit_fields(T& value, Wanted&& wanted, Drawn&& drawn = {}) {
 }
 
 /// The same on a tracked value, which becomes newer only if it differs afterwards.
-template <class T, class Wanted, class Drawn = decltype([](const Field&) {})>
+template <class T, class Wanted, class Drawn = IgnoreField>
 bool edit_tracked(Tracked<T>& tracked, Wanted&& wanted, Drawn&& drawn = {}) {
     T copy = *tracked;
     return edit_fields(copy, wanted, drawn) && tracked.set(std::move(copy));
