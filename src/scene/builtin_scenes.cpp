@@ -96,6 +96,56 @@ Scene knots() {
     return scene;
 }
 
+/// Warm light from the left, blue light from behind the right, which shows what comes through, and a little from above.
+void light_from_three_sides(Scene& scene) {
+    scene.lights["left"] =
+        Light{.direction_world = {-0.85, 0.45, 0.45}, .color = {1.0, 0.5, 0.18}, .intensity = 3.0 * pi};
+    scene.lights["right"] =
+        Light{.direction_world = {0.85, 0.2, -0.6}, .color = {0.15, 0.4, 1.0}, .intensity = 4.6 * pi};
+    scene.lights["above"] =
+        Light{.direction_world = {0.1, 1.0, -0.2}, .color = {0.92, 1.0, 0.88}, .intensity = 0.4 * pi};
+    scene.background = Background{.top = {0.004, 0.005, 0.008}, .bottom = {0.030, 0.034, 0.044}};
+}
+
+/// The engine of wax around red metal: thin enough for light to enter, thick enough for shadows.
+Scene scattering() {
+    Scene scene;
+    light_from_three_sides(scene);
+    Volume engine = shown_builtin("engine", VolumeLighting::light_volume);
+    engine.clip = ClipBox{.low = {0.0, 0.0, 0.0}, .high = {1.0, 1.0, 0.55}};
+    engine.transfer_function.edit([](TransferFunction& tf) {
+        tf.opacity = {{0.0, 0.0}, {0.14, 0.0}, {0.3, 0.42},  {0.42, 0.34},
+                      {0.5, 0.3}, {0.62, 0.5}, {0.72, 0.98}, {1.0, 0.99}};
+        tf.color = {{0.0, {0.75, 0.85, 0.95}},
+                    {0.5, {0.85, 0.90, 0.95}},
+                    {0.62, {0.95, 0.50, 0.25}},
+                    {0.75, {0.95, 0.32, 0.10}},
+                    {1.0, {0.95, 0.42, 0.14}}};
+    });
+    engine.optics.edit([](VolumeOptics& optics) { optics.albedo = glm::dvec3(0.97); });
+    scene.nodes["engine"] = node(std::move(engine));
+    look_from(scene, {0.45, 0.30, 0.9}, 1.75);
+    return scene;
+}
+
+/// A dense cloud of soot and water: what has gone through it is as plain as what comes back.
+Scene scattering_blobs() {
+    Scene scene;
+    light_from_three_sides(scene);
+    Volume blobs = shown_builtin("blobs", VolumeLighting::light_volume);
+    blobs.transfer_function.edit([](TransferFunction& tf) {
+        tf.opacity = {{0.0, 0.0}, {0.05, 0.0}, {0.3, 0.24}, {1.0, 0.75}};
+        tf.color = {{0.0, {0.97, 0.98, 1.0}}};
+    });
+    blobs.optics.edit([](VolumeOptics& optics) {
+        optics.albedo = glm::dvec3(0.8);
+        optics.g = 0.3;
+    });
+    scene.nodes["blobs"] = node(std::move(blobs));
+    look_from(scene, {0.5, 0.25, 0.85}, 2.3);
+    return scene;
+}
+
 struct BuiltinScene {
     const char* name;
     Scene (*make)();
@@ -105,6 +155,8 @@ constexpr std::array builtin_scenes{
     BuiltinScene{"bucky-cluster", bucky_cluster},
     BuiltinScene{"orbital", orbital},
     BuiltinScene{"knot-study", knots},
+    BuiltinScene{"scattering", scattering},
+    BuiltinScene{"scattering-blobs", scattering_blobs},
 };
 
 }  // namespace

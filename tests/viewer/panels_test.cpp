@@ -41,6 +41,9 @@ TEST(Fields, OnlyThoseOfThePresentChoiceAreShown) {
     EXPECT_FALSE(is_for_another_word("point: where it stands", words, point));
     EXPECT_FALSE(is_for_another_word("whether it shines", words, point));
     EXPECT_FALSE(is_for_another_word("points are counted", words, std::size_t(scene::LightKind::headlight)));
+    EXPECT_FALSE(is_for_another_word("point, spot: where it stands", words, point));
+    EXPECT_TRUE(is_for_another_word("directional, spot: from where", words, point));
+    EXPECT_FALSE(is_for_another_word("none of these, point: it stands", words, std::size_t(scene::LightKind::spot)));
 }
 
 TEST(History, UndoesAndRedoesAGestureAsOneStep) {

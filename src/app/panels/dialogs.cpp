@@ -100,6 +100,7 @@ void show_help(bool& open) {
         {"1 2 3 4 5 6", "front, back, left, right, top, bottom"},
         {"O", "perspective or orthographic"},
         {"R", "camera as it was at first"},
+        {"E", "exposure that suits the picture"},
         {"", ""},
         {"Ctrl + O, drop a file", "open, add to the scene"},
         {"Ctrl + S, Ctrl + Shift + S", "save the scene, under a new name"},

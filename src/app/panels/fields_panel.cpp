@@ -50,13 +50,21 @@ std::string readable(std::string_view name) {
 }
 
 bool is_for_another_word(std::string_view sentence, std::span<const std::string_view> words, std::size_t chosen) {
-    for (std::size_t n = 0; n < words.size(); ++n) {
-        if (n != chosen && sentence.size() > words[n].size() && sentence.starts_with(words[n]) &&
-            sentence[words[n].size()] == ':') {
-            return true;
-        }
+    std::string_view opening = sentence.substr(0, sentence.find(':'));
+    if (opening.size() == sentence.size()) {
+        return false;
     }
-    return false;
+    for (bool is_last = false; !is_last;) {
+        const std::size_t comma = opening.find(", ");
+        const std::string_view word = opening.substr(0, comma);
+        const auto found = std::find(words.begin(), words.end(), word);
+        if (found == words.end() || std::size_t(found - words.begin()) == chosen) {
+            return false;
+        }
+        is_last = comma == std::string_view::npos;
+        opening.remove_prefix(is_last ? opening.size() : comma + 2);
+    }
+    return true;
 }
 
 void tooltip(std::string_view words) {
@@ -84,7 +92,7 @@ bool edit_value(const Field& field, double& value) {
         const double low = field.panel_min * factor;
         const double high = field.panel_max * factor;
         const ImGuiSliderFlags flags = field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0;
-        const std::string format = (field.logarithmic ? "%.4g" : "%.3f") + unit;
+        const std::string format = (field.logarithmic ? "%.4g" : field.unit == "deg" ? "%.1f" : "%.3f") + unit;
         changed = ImGui::SliderScalar(label_of(field).c_str(), ImGuiDataType_Double, &number, &low, &high,
                                       format.c_str(), flags);
     } else {
@@ -100,7 +108,14 @@ bool edit_value(const Field& field, double& value) {
 
 bool edit_value(const Field& field, std::int64_t& value) {
     narrow();
-    const bool changed = ImGui::InputScalar(label_of(field).c_str(), ImGuiDataType_S64, &value);
+    bool changed = false;
+    if (field.panel_min != field.panel_max) {
+        const auto low = std::int64_t(field.panel_min);
+        const auto high = std::int64_t(field.panel_max);
+        changed = ImGui::SliderScalar(label_of(field).c_str(), ImGuiDataType_S64, &value, &low, &high);
+    } else {
+        changed = ImGui::InputScalar(label_of(field).c_str(), ImGuiDataType_S64, &value);
+    }
     tooltip(field.sentence);
     if (changed) {
         value = std::int64_t(std::clamp(double(value), std::max(field.min, -9e18), std::min(field.max, 9e18)));
@@ -166,6 +181,34 @@ bool edit_value(const Field& field, glm::dvec3& value) {
         for (int n = 0; n < 3; ++n) {
             value[n] = clamped(field, numbers[n] / factor);
         }
+    }
+    return changed;
+}
+
+bool edit_direction(glm::dvec3& direction) {
+    const glm::dvec3 unit = glm::normalize(direction);
+    double azimuth_deg = glm::degrees(std::atan2(unit.x, unit.z));
+    double elevation_deg = glm::degrees(std::asin(std::clamp(unit.y, -1.0, 1.0)));
+    bool changed = edit_value({.name = "azimuth",
+                               .unit = "deg",
+                               .sentence = "where the light comes from: 0 is +z, 90 is +x",
+                               .panel_min = -180.0,
+                               .panel_max = 180.0},
+                              azimuth_deg);
+    // Short of the poles, where no azimuth could be told from the direction.
+    changed = edit_value({.name = "elevation",
+                          .unit = "deg",
+                          .sentence = "height of the light above the horizon; 90 is +y",
+                          .min = -89.9,
+                          .max = 89.9,
+                          .panel_min = -89.9,
+                          .panel_max = 89.9},
+                         elevation_deg) ||
+              changed;
+    if (changed) {
+        const double azimuth = glm::radians(azimuth_deg), elevation = glm::radians(elevation_deg);
+        direction = {std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+                     std::cos(elevation) * std::cos(azimuth)};
     }
     return changed;
 }

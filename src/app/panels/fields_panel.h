@@ -49,13 +49,18 @@ bool edit_value(const Field& field, std::optional<T>& value) {
 /// A name from the table as people read it: "soft from" for "soft_from".
 std::string readable(std::string_view name);
 
-/// Whether a sentence opens with a word of an enumeration that is not the chosen one, as in "point: where it stands".
+/// Whether a sentence opens with words of an enumeration but not with the chosen one, as in "point, spot: where it
+/// stands".
 bool is_for_another_word(std::string_view sentence, std::span<const std::string_view> words, std::size_t chosen);
 
+struct IgnoreField {
+    void operator()(const Field&) const {}
+};
+
 /// Widgets for all fields for which `wanted(field)` holds, but not for those that only serve another choice of an
-/// enumeration than the present one.
-template <class T, class Wanted>
-bool edit_fields(T& value, Wanted&& wanted) {
+/// enumeration than the present one. `drawn(field)` is called after each.
+template <class T, class Wanted, class Drawn = IgnoreField>
+bool edit_fields(T& value, Wanted&& wanted, Drawn&& drawn = {}) {
     bool changed = false;
     std::vector<std::pair<std::span<const std::string_view>, std::size_t>> choices;
     visit_fields(value, [&](const Field& field, auto& part) {
@@ -67,6 +72,7 @@ bool edit_fields(T& value, Wanted&& wanted) {
         }
         if (wanted(field)) {
             changed = edit_value(field, part) || changed;
+            drawn(field);
         }
         if constexpr (std::is_enum_v<Part>) {
             choices.emplace_back(scene::enum_words<Part>(), std::size_t(part));
@@ -76,15 +82,18 @@ bool edit_fields(T& value, Wanted&& wanted) {
 }
 
 /// The same on a tracked value, which becomes newer only if it differs afterwards.
-template <class T, class Wanted>
-bool edit_tracked(Tracked<T>& tracked, Wanted&& wanted) {
+template <class T, class Wanted, class Drawn = IgnoreField>
+bool edit_tracked(Tracked<T>& tracked, Wanted&& wanted, Drawn&& drawn = {}) {
     T copy = *tracked;
-    return edit_fields(copy, wanted) && tracked.set(std::move(copy));
+    return edit_fields(copy, wanted, drawn) && tracked.set(std::move(copy));
 }
 template <class T>
 bool edit_tracked(Tracked<T>& tracked) {
     return edit_tracked(tracked, [](const Field&) { return true; });
 }
+
+/// A direction by two sliders, azimuth and elevation about +y in degrees; its length becomes 1 when it is turned.
+bool edit_direction(glm::dvec3& direction);
 
 /// Shows the words while the pointer rests on the last widget.
 void tooltip(std::string_view words);

@@ -13,7 +13,7 @@ namespace bruma::app {
 /// What a person asks for in a panel and the viewer does after the frame.
 struct PanelRequests {
     bool open_file = false, save_scene = false, save_scene_as = false, screenshot = false;
-    bool fit = false, help = false, count_samples = false, undo = false, redo = false;
+    bool fit = false, help = false, expose = false, count_samples = false, undo = false, redo = false;
     bool load_transfer_function = false, save_transfer_function = false;
     std::string transfer_function_file;  ///< to be loaded into the volume being edited
 };

@@ -7,6 +7,7 @@
 
 #include "app/panels/fields_panel.h"
 #include "app/panels/theme.h"
+#include "app/panels/volume_lighting.h"
 
 namespace bruma::app {
 namespace {
@@ -64,13 +65,81 @@ void remove_node(scene::Scene& scene, const std::string& name) {
     scene.nodes.erase(name);
 }
 
-std::string free_name(const std::map<std::string, Tracked<scene::Light>>& lights) {
-    for (int n = 1;; ++n) {
-        std::string name = fmt::format("light_{}", n);
-        if (!lights.contains(name)) {
-            return name;
-        }
+/// A button that lights a scattering volume by a sun, with the reason, where only headlights shine.
+void suggest_sun(PanelContext& context, const scene::Volume& volume) {
+    if (!lacks_sun(context.scene, volume)) {
+        return;
     }
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::warning);
+    ImGui::TextWrapped("A headlight casts no visible shadow, and its light is swept anew whenever the camera moves.");
+    ImGui::PopStyleColor();
+    const bool pressed = ImGui::Button("Add a sun");
+    context.places.note_last("add-sun");
+    tooltip("a light from afar, over your left shoulder; headlights go off; Ctrl+Z takes it back");
+    if (pressed) {
+        add_sun(context.scene);
+    }
+}
+
+void show_volume_optics(PanelContext& context, scene::Volume& volume) {
+    const auto note = [&](const Field& field) { context.places.note_last("field-" + std::string(field.name)); };
+    edit_tracked(
+        volume.optics, [](const Field& field) { return field.name == "lighting"; }, note);
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::faint);
+    ImGui::TextWrapped("%s", light_left_out(context.scene, volume).c_str());
+    ImGui::PopStyleColor();
+    suggest_sun(context, volume);
+    const scene::VolumeOptics& optics = *volume.optics;
+    edit_tracked(
+        volume.optics,
+        [&](const Field& field) {
+            return field.name != "lighting" && !is_about_surfaces(field.name) &&
+                   optics_field_matters(optics, field.name);
+        },
+        note);
+    const auto is_shown_surface_field = [&](const Field& field) {
+        return is_about_surfaces(field.name) && optics_field_matters(optics, field.name);
+    };
+    if (optics_field_matters(optics, "specular") && ImGui::TreeNodeEx("Surfaces", ImGuiTreeNodeFlags_DefaultOpen)) {
+        edit_tracked(volume.optics, is_shown_surface_field, note);
+        ImGui::TreePop();
+    }
+    if (light_volume_field_matters(volume, "resolution") &&
+        ImGui::TreeNodeEx("Grid of light", ImGuiTreeNodeFlags_DefaultOpen)) {
+        edit_tracked(
+            volume.light_volume, [&](const Field& field) { return light_volume_field_matters(volume, field.name); },
+            note);
+        ImGui::TreePop();
+    }
+}
+
+/// Widgets for a light of its present kind; intensities have the unit of that kind.
+void show_light(PanelContext& context, scene::Light& light) {
+    const auto note = [&](const Field& field) { context.places.note_last("light-" + std::string(field.name)); };
+    const scene::Light before = light;
+    edit_fields(
+        light, [](const Field& field) { return field.name == "kind"; }, note);
+    light = with_same_effect(context.scene, before, light);
+    if (light.kind == scene::LightKind::directional || light.kind == scene::LightKind::spot) {
+        edit_direction(light.direction_world);
+        context.places.note_last("light-elevation");
+    }
+    edit_fields(
+        light,
+        [](const Field& field) {
+            return field.name != "kind" && field.name != "direction" && field.name != "intensity" && field.name != "on";
+        },
+        note);
+    visit_fields(light, [&](Field field, auto& part) {
+        if (field.name == "intensity") {
+            const bool from_point = scene::has_position(light);
+            field.unit = from_point ? "W/sr" : "W/m2";
+            // Sources near small things are weak.
+            field.panel_min = from_point ? 1e-4 : field.panel_min;
+            edit_value(field, part);
+            note(field);
+        }
+    });
 }
 
 }  // namespace
@@ -91,10 +160,7 @@ void show_selected_node(PanelContext& context) {
     scene::Node& node = found->second;
     ImGui::PushID(context.selected.c_str());
     if (auto* volume = std::get_if<scene::Volume>(&node.content)) {
-        const bool lit = volume->optics->lighting != scene::VolumeLighting::none;
-        edit_tracked(volume->optics, [&](const Field& field) {
-            return lit || field.name == "lighting" || field.name == "density_scale";
-        });
+        show_volume_optics(context, *volume);
         if (ImGui::TreeNode("Clip box")) {
             edit_tracked(volume->clip);
             if (ImGui::SmallButton("Show all of it")) {
@@ -131,8 +197,10 @@ void show_lights(PanelContext& context) {
         ImGui::Checkbox("##on", &copy.on);
         tooltip("whether it shines");
         ImGui::SameLine();
-        if (ImGui::TreeNode(name.c_str())) {
-            edit_fields(copy, [](const Field& field) { return field.name != "on"; });
+        const bool is_open = ImGui::TreeNode(name.c_str());
+        context.places.note_last("light-" + name);
+        if (is_open) {
+            show_light(context, copy);
             if (ImGui::SmallButton("Remove this light")) {
                 removed = name;
             }
@@ -145,7 +213,7 @@ void show_lights(PanelContext& context) {
         context.scene.lights.erase(removed);
     }
     if (ImGui::Button("Add a light")) {
-        context.scene.lights.emplace(free_name(context.scene.lights), scene::Light{});
+        context.scene.lights.emplace(free_light_name(context.scene, "light"), scene::Light{});
     }
     bool any_lit = false;
     for (const auto& [name, node] : context.scene.nodes) {
@@ -157,8 +225,17 @@ void show_lights(PanelContext& context) {
     }
 }
 
+void show_display(PanelContext& context) {
+    edit_tracked(context.scene.display);
+    const bool pressed = ImGui::Button("Expose");
+    context.places.note_last("button-expose");
+    tooltip("E: the exposure that suits this picture. Media that scatter light to all sides send little of it here.");
+    context.requests.expose |= pressed;
+}
+
 void show_surroundings(PanelContext& context) {
     edit_tracked(context.scene.background);
+    edit_tracked(context.scene.environment);
     if (context.scene.camera && ImGui::TreeNode("Camera")) {
         edit_tracked(*context.scene.camera);
         if (ImGui::SmallButton("Show everything (F)")) {

@@ -53,13 +53,14 @@ void show_sections(PanelContext& context, TransferFunctionPanel& transfer_functi
     if (section(context, "Lights", false)) {
         show_lights(context);
     }
+    if (section(context, "Display", false)) {
+        show_display(context);
+    }
     if (section(context, "Background and camera", false)) {
         show_surroundings(context);
     }
     if (section(context, "Rendering", false)) {
         edit_tracked(context.scene.rendering);
-        ImGui::Separator();
-        edit_tracked(context.scene.display);
     }
     if (section(context, "Statistics", false)) {
         show_statistics(context);

@@ -4,6 +4,7 @@
 #include <imgui/imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/panels/fields_panel.h"
 #include "app/panels/theme.h"
@@ -55,6 +56,18 @@ std::string quality_words(const ViewerFacts& facts) {
         words += fmt::format(", step x {:.1f}", facts.view.step_scale);
     }
     return words;
+}
+
+std::string optical_depth_words(double opacity, const scene::RenderSettings& settings) {
+    const double transmittance = 1.0 - opacity;
+    // Where the march stops early, or no number is left between the opacity and 1, only a bound is known.
+    const double least = std::max(settings.early_termination ? settings.stop_transmittance : 0.0, 1e-6);
+    if (transmittance <= least) {
+        return fmt::format("optical depth above {:.1f}, less than {:.2g} % passes", -std::log(least), 100.0 * least);
+    }
+    const double percent = 100.0 * transmittance;
+    const std::string passes = percent < 10.0 ? fmt::format("{:.2g}", percent) : fmt::format("{:.0f}", percent);
+    return fmt::format("optical depth {:.2f}, {} % passes", -std::log(transmittance), passes);
 }
 
 void show_statistics(PanelContext& context) {

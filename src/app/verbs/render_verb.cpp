@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/exposure.h"
 #include "app/frame_statistics.h"
 #include "app/scene_arguments.h"
 #include "app/sibling.h"
@@ -25,6 +26,7 @@ struct RenderArguments {
     std::string stats;
     std::string graph;
     bool explain = false;
+    bool auto_exposure = false;
     int repeats = 5;
     render::PathGoal paths;
 };
@@ -44,9 +46,23 @@ void check_room(glm::ivec2 pixels) {
     }
 }
 
+/// Gives the scene the exposure that suits its picture, and says which.
+void expose(scene::Scene& scene, const Image& picture) {
+    if (const std::optional<double> ev = suitable_exposure_ev(picture)) {
+        scene.display.edit([&](scene::Display& display) { display.exposure_ev = *ev; });
+        log_note("--set display.exposure={:.2f} gives this exposure again", *ev);
+    } else {
+        log_warning("--auto-exposure: the picture is black, so its exposure stays as it was");
+    }
+}
+
 int render(const RenderArguments& arguments, const std::vector<std::string>& command_line) {
     const glm::ivec2 pixels = arguments.scene.pixels();
     const io::PictureFormat format = io::picture_format(arguments.output);
+    if (arguments.auto_exposure && format != io::PictureFormat::png) {
+        throw InputError(fmt::format("--auto-exposure: {} holds radiance, which no exposure changes; write a .png",
+                                     arguments.output));
+    }
     for (const std::string& output : {arguments.output, arguments.stats, arguments.graph}) {
         if (!output.empty() && output != "-") {
             io::require_writable(output);
@@ -57,13 +73,16 @@ int render(const RenderArguments& arguments, const std::vector<std::string>& com
     log_detail("{}: {}, {}", context->way(), driver.renderer, driver.version);
     check_room(pixels);
 
-    const scene::Scene scene = open_scene(arguments.scene);
+    scene::Scene scene = open_scene(arguments.scene);
     gl::ShaderLibrary shaders(installed_folder("shaders"));
     render::Renderer renderer(shaders);
     render::Presenter presenter(shaders);
     const render::View view{pixels, 1.0, arguments.paths};
     const render::RunReport& report = renderer.render(scene, view, arguments.explain);
 
+    if (arguments.auto_exposure) {
+        expose(scene, renderer.read_picture());
+    }
     if (format == io::PictureFormat::png) {
         io::write_png(arguments.output, {pixels.x, pixels.y, presenter.read(renderer.picture(), *scene.display)});
     } else {
@@ -101,6 +120,8 @@ Verb declare_render(CLI::App& app, const std::vector<std::string>& command_line)
                    "path_traced lighting: leave out light that was scattered more often; 1 is single scattering")
         ->check(CLI::Range(0, render::PathGoal::all));
     app.add_option("--graph", arguments->graph, "Graphviz file: the frame graph as a drawing");
+    app.add_flag("--auto-exposure", arguments->auto_exposure,
+                 "expose a .png so that its brightest hundredth is at 0.9 or above, and say how");
     app.add_flag("--explain", arguments->explain, "print what each pass did, for how long, and why");
     return [arguments, command_line] { return render(*arguments, command_line); };
 }

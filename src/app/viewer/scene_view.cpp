@@ -125,6 +125,19 @@ io::Picture8 SceneView::refined_picture(const scene::Scene& scene, glm::ivec2 ar
     return {area.x, area.y, presenter_.read(renderer_.picture(), *scene.display)};
 }
 
+std::optional<double> SceneView::opacity_at(glm::dvec2 share) const {
+    if (!has_picture_ || !(share.x >= 0.0 && share.x < 1.0 && share.y >= 0.0 && share.y < 1.0)) {
+        return std::nullopt;
+    }
+    const gl::Texture& color = renderer_.picture().color;
+    const glm::ivec2 size(color.size());
+    const glm::ivec2 pixel(share * glm::dvec2(size));
+    float rgba[4];
+    glGetTextureSubImage(color.name(), 0, pixel.x, size.y - 1 - pixel.y, 0, 1, 1, 1, GL_RGBA, GL_FLOAT, sizeof rgba,
+                         rgba);
+    return double(rgba[3]);
+}
+
 render::SampleTotals SceneView::count_samples(const scene::Scene& scene) {
     return renderer_.count_samples(scene, view_);
 }

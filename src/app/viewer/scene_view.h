@@ -34,6 +34,11 @@ class SceneView {
     const render::View& view() const { return view_; }
     /// The refined picture as the display has it.
     io::Picture8 refined_picture(const scene::Scene& scene, glm::ivec2 area);
+    /// The picture as it stands, linear; without pixels before the first.
+    Image linear_picture() const { return has_picture_ ? renderer_.read_picture() : Image(); }
+    /// Opacity along the ray through a point of the picture, given as shares of its width and height from the upper
+    /// left corner; nothing outside it.
+    std::optional<double> opacity_at(glm::dvec2 share) const;
     int path_samples() const { return path_samples_; }
     /// Of a path traced picture; the error as it was when last looked at, within a quarter of the paths.
     const std::optional<render::PathStanding>& path_standing() const { return path_standing_; }

@@ -62,6 +62,7 @@ void Workbench::frame(glm::ivec2 pixels, double now) {
     facts_.scene_path = scene_path_;
     facts_.can_undo = history_.can_undo();
     facts_.can_redo = history_.can_redo();
+    show_status();
 
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, int(io.DisplaySize.x * io.DisplayFramebufferScale.x),
@@ -83,19 +84,41 @@ void Workbench::show_panels() {
     obey(requests);
 }
 
-void Workbench::show_over_picture() {
+std::string Workbench::words_under_cursor() const {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool has_volumes = !scene::shown_volumes(scene_).empty();
+    if (io.WantCaptureMouse || area_.x < 1 || area_.y < 1 || !has_volumes || !view_.fault().empty() ||
+        render::is_path_traced(scene_)) {  // its opacity is a share of a few paths
+        return "";
+    }
+    const glm::dvec2 pixel(io.MousePos.x * io.DisplayFramebufferScale.x, io.MousePos.y * io.DisplayFramebufferScale.y);
+    const double opacity = view_.opacity_at(pixel / glm::dvec2(area_)).value_or(0.0);
+    if (!(opacity > 0.0)) {
+        return "";
+    }
+    return optical_depth_words(opacity, *scene_.rendering);
+}
+
+void Workbench::show_status() {
     const float em = ImGui::GetFontSize();
-    ImDrawList* canvas = ImGui::GetBackgroundDrawList();
-    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-    const ImVec2 size{float(area_.x) / scale.x, float(area_.y) / scale.y};
+    const float height = float(area_.y) / ImGui::GetIO().DisplayFramebufferScale.y;
     const std::string status = scene_.nodes.empty() ? "Ctrl+O opens a file, or drop one here; H shows all keys"
                                : now_ < notice_until_
                                    ? notice_
                                    : fmt::format("{:.0f} ms, {}    H: keys", facts_.last_ms, quality_words(facts_));
-    const ImVec2 at{0.9F * em, size.y - 1.8F * em};
-    canvas->AddText({at.x + 1.0F, at.y + 1.0F}, IM_COL32(0, 0, 0, 200), status.c_str());
-    canvas->AddText(at, IM_COL32(190, 196, 204, 230), status.c_str());
+    const auto write = [&](const std::string& words, float lines_up) {
+        const ImVec2 at{0.9F * em, height - (1.8F + 1.3F * lines_up) * em};
+        ImDrawList* canvas = ImGui::GetBackgroundDrawList();
+        canvas->AddText({at.x + 1.0F, at.y + 1.0F}, IM_COL32(0, 0, 0, 200), words.c_str());
+        canvas->AddText(at, IM_COL32(190, 196, 204, 230), words.c_str());
+    };
+    write(status, 0.0F);
+    write(words_under_cursor(), 1.0F);
+}
 
+void Workbench::show_over_picture() {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    const ImVec2 size{float(area_.x) / scale.x, float(area_.y) / scale.y};
     const std::string& fault = shader_fault_.empty() ? view_.fault() : shader_fault_;
     if (!fault.empty()) {
         ImGui::SetNextWindowPos({0.0F, 0.0F});

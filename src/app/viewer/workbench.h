@@ -47,6 +47,9 @@ class Workbench {
   private:
     void show_panels();
     void show_over_picture();
+    void show_status();
+    std::string words_under_cursor() const;
+    void expose();
     void move_camera();
     void obey_keys();
     void obey(const PanelRequests& requests);

@@ -84,6 +84,7 @@ void Workbench::obey_keys() {
         return;
     }
     requests.fit = pressed(GLFW_KEY_F);
+    requests.expose = pressed(GLFW_KEY_E);
     requests.screenshot = pressed(GLFW_KEY_P);
     requests.help = pressed(GLFW_KEY_H) || (pressed(GLFW_KEY_SLASH) && io.KeyShift);
     panels_shown_ ^= pressed(GLFW_KEY_TAB);

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <filesystem>
 
+#include "app/exposure.h"
 #include "app/scene_arguments.h"
 #include "app/viewer/orbit.h"
 #include "app/viewer/workbench.h"
@@ -136,6 +137,9 @@ void Workbench::obey(const PanelRequests& requests) {
     if (requests.fit) {
         fit();
     }
+    if (requests.expose) {
+        expose();
+    }
     if (requests.undo) {
         history_.undo(scene_);
     }
@@ -215,6 +219,15 @@ void Workbench::save_scene(bool ask) {
 
 void Workbench::write_refined_picture(const std::string& path) {
     io::write_png(path, view_.refined_picture(scene_, area_));
+}
+
+void Workbench::expose() {
+    if (const std::optional<double> ev = suitable_exposure_ev(view_.linear_picture())) {
+        scene_.display.edit([&](scene::Display& display) { display.exposure_ev = *ev; });
+        notice(fmt::format("Exposure {:+.2f} EV", *ev));
+    } else {
+        notice("The picture is black: no exposure suits it.");
+    }
 }
 
 void Workbench::take_screenshot() {
