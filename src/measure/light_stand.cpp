@@ -70,7 +70,7 @@ void LightStand::multiply_density(double factor) {
 Image LightStand::picture(glm::ivec2 pixels) {
     moved_ = false;
     scene_.lights.begin()->second = light_;
-    renderer_.render(scene_, {pixels, 1.0});
+    first_times_ = timed(pixels);
     return renderer_.read_picture();
 }
 

@@ -25,8 +25,10 @@ class LightStand {
     void set_unlit();
     void multiply_density(double factor);
 
-    /// Draws as it is, untimed, so that all is built and compiled.
+    /// Draws as it is, so that all is built and compiled.
     Image picture(glm::ivec2 pixels);
+    /// What the last `picture` spent; shaders may have been compiled in it.
+    const LightTimes& first_times() const { return first_times_; }
     /// Draws after a small change of the light, there and back in turn, so that it is built anew and nothing else is.
     LightTimes after_light_change(glm::ivec2 pixels);
     /// Draws the same once more; nothing but the march runs.
@@ -48,6 +50,7 @@ class LightStand {
     scene::Light light_;
     LightProvider provider_ = LightProvider::direct;
     bool moved_ = false;
+    LightTimes first_times_;
 };
 
 }  // namespace bruma::measure

@@ -73,7 +73,7 @@ double share_of_allowed(StressRig& rig, scene::Scene scene, double irradiance) {
     for (int way = 0; way < light_ways; ++way) {
         take_way(scene, way);
         const double allowed =
-            way == 2 ? irradiance / std::numbers::pi : per_phase * (largest_phase + (way == 1 && g > 0.0 ? 1.0 : 0.0));
+            way == 2 ? irradiance / std::numbers::pi : per_phase * (largest_phase + (way == 1 ? 1.0 : 0.0));
         const double radiance = brightest(rig.draw(scene));
         most = std::max(most, allowed > 0.0 ? radiance / allowed : radiance);
     }

@@ -9,9 +9,9 @@
 namespace bruma::measure {
 namespace {
 
-constexpr int edge = 24;
+constexpr int edge = 12;
 
-/// Smooth lumps of matter in a cube of 1 m, as its optical depth per metre in each cell.
+/// Smooth lumps of matter: extinction of each cell times the grid's length.
 gl::Texture lumps() {
     std::vector<float> values;
     for (int n = 0; n < edge * edge * edge; ++n) {
@@ -41,7 +41,9 @@ gl::Texture uniform_albedo() {
 double jump_over_median(gl::ShaderLibrary& shaders, render::SweptState state, int axis_count) {
     render::LightGrid grid;
     grid.cells = glm::ivec3(edge);
-    grid.world_from_cells = glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(-0.5)), glm::dvec3(1.0 / edge));
+    const glm::dvec3 extent(1.0, 1.0, 2.0);  // on cubes even one axis moves smoothly
+    grid.world_from_cells = glm::scale(glm::translate(glm::dmat4(1.0), -0.5 * extent), extent / double(edge));
+    grid.length = extent.z;
     const gl::Texture extinction = lumps(), albedo = uniform_albedo();
     render::SweepSettings settings;
     settings.state = state;

@@ -10,6 +10,7 @@ namespace {
 /// 0 if a value of the volume's optics is refused at the door and `usual` is not, else 1.
 double accepted(const std::string& key, const nlohmann::json& value, const nlohmann::json& usual) {
     nlohmann::json document = io::to_json(scattering_scene({}));
+    document["nodes"]["volume"]["source"]["file"] = "builtin:bucky";
     document["nodes"]["volume"][key] = usual;
     io::from_json(document, "");
     document["nodes"]["volume"][key] = value;

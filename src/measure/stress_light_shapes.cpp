@@ -24,6 +24,27 @@ scene::Scene placed(const scene::Transform& transform) {
     return scene;
 }
 
+/// Relative error of the uniform cube a thousand times longer along an axis, of the same optical depth, lit and seen
+/// along it.
+double stretched_error(StressRig& rig, int axis) {
+    glm::dvec3 scale(1.0), back(0.0);
+    scale[axis] = 1000.0;
+    back[axis] = 1.0;
+    scene::Scene scene = uniform_scene(1e-3);
+    take_way(scene, 0);
+    scene.nodes.at("volume").transform = scene::Transform{.scale = scale};
+    scene.lights.at("light").edit([back](scene::Light& light) { light.direction_world = back; });
+    // Steps of 16 of the short edges: the software driver ends loops after 65535 turns.
+    scene.rendering.edit([](scene::RenderSettings& s) { s.step = 16.0; });
+    scene.camera = scene::fit_camera(scene::world_bounds(scene), 1.5, back, {back.y, back.x + back.z, 0.0});
+    scene.camera->edit([](scene::Camera& camera) {
+        camera.projection = scene::Projection::orthographic;
+        camera.view_height = 20e-3;
+    });
+    const Image image = rig.draw(scene);
+    return std::abs(double(*image.pixel(image.width / 2, image.height / 2)) / uniform_radiance(1.0) - 1.0);
+}
+
 Image flipped(const Image& image) {
     Image result(image.width, image.height);
     for (int y = 0; y < image.height; ++y) {
@@ -74,7 +95,8 @@ void stress_light_shapes(StressRig& rig) {
         }
     }
     for (const double thickness : {0.5, 0.02, 1e-4, 1e-6}) {
-        rig.number(fmt::format("clip-{:g}", thickness), "a slice, lit across: relative error to the closed form", 5e-3,
+        rig.number(fmt::format("clip-{:g}", thickness), "a slice, lit across: relative error to the closed form",
+                   5e-3 + 0x1p-24 / thickness,  // where floats put its two ends
                    [&] { return slab_error(rig, thickness); });
     }
     rig.number("clip-1e-12", "thinner than floats tell apart", energy, [&] {
@@ -89,8 +111,11 @@ void stress_light_shapes(StressRig& rig) {
     }
     rig.number("mirrored-thrice", share, energy,
                [&] { return share_of_allowed(rig, placed({.scale = glm::dvec3(-1.0)})); });
-    rig.number("1-1-1000", share, energy, [&] { return share_of_allowed(rig, placed({.scale = {1.0, 1.0, 1000.0}})); });
-    rig.number("1000-1-1", share, energy, [&] { return share_of_allowed(rig, placed({.scale = {1000.0, 1.0, 1.0}})); });
+    for (int axis = 0; axis < 3; ++axis) {
+        rig.number(fmt::format("1000-times-{}", "xyz"[axis]),
+                   "a uniform cube longer along that axis, seen along it: relative error to the closed form", 5e-3,
+                   [&] { return stretched_error(rig, axis); });
+    }
     rig.number("scale-1e-9", share, energy, [&] { return share_of_allowed(rig, placed({.scale = glm::dvec3(1e-9)})); });
     rig.number("sheared", "turned inside a parent of unequal scale: share of what energy allows", energy, [&] {
         scene::Scene scene = scattering_scene({});
