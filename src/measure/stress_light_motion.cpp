@@ -36,9 +36,27 @@ gl::Texture uniform_albedo() {
     return texture;
 }
 
-/// A light goes once around in steps of half a degree: the largest change of any cell in one step, over the median of
-/// all steps.
-double jump_over_median(gl::ShaderLibrary& shaders, render::SweptState state, int axis_count) {
+/// Where a light goes: from `a` towards `b`, which is square to it.
+struct Path {
+    glm::dvec3 a, b;
+    double from_deg, step_deg;
+    int steps;
+};
+
+/// Through no axis and no diagonal exactly, so that it meets the changes of axes as lights do.
+Path once_around() {
+    const glm::dvec3 a = glm::normalize(glm::dvec3(0.9, 0.3, 0.2));
+    return {a, glm::normalize(glm::cross(a, glm::dvec3(0.1, -0.4, 0.8))), 0.0, 0.5, 720};
+}
+
+/// Through the place where the two largest components of its direction swap.
+Path through_a_swap() {
+    const glm::dvec3 a = glm::normalize(glm::dvec3(0.65, 0.35, 0.65));
+    return {a, glm::normalize(glm::cross(glm::dvec3(0.0, 1.0, 0.0), a)), -0.095, 0.01, 19};
+}
+
+/// The largest change of any cell in one step of the light, over the median of all steps.
+double jump_over_median(gl::ShaderLibrary& shaders, const Path& path, render::SweptState state, int axis_count) {
     render::LightGrid grid;
     grid.cells = glm::ivec3(edge);
     const glm::dvec3 extent(1.0, 1.0, 2.0);  // on cubes even one axis moves smoothly
@@ -49,15 +67,12 @@ double jump_over_median(gl::ShaderLibrary& shaders, render::SweptState state, in
     settings.state = state;
     settings.spread = 0.03;
     settings.precision = scene::LightPrecision::single;
-    // Through no axis and no diagonal exactly, so that it meets the changes of axes as lights do.
-    const glm::dvec3 a = glm::normalize(glm::dvec3(0.9, 0.3, 0.2));
-    const glm::dvec3 b = glm::normalize(glm::cross(a, glm::dvec3(0.1, -0.4, 0.8)));
     const int channels = state == render::SweptState::direct ? 1 : 4;
     std::vector<float> before, now(std::size_t(channels) * edge * edge * edge);
     std::vector<double> steps;
-    for (int n = 0; n <= 720; ++n) {
-        const double angle = glm::radians(0.5 * n);
-        const scene::Light light{.direction_world = std::cos(angle) * a + std::sin(angle) * b};
+    for (int n = 0; n <= path.steps; ++n) {
+        const double angle = glm::radians(path.from_deg + path.step_deg * n);
+        const scene::Light light{.direction_world = std::cos(angle) * path.a + std::sin(angle) * path.b};
         const render::SweptLight swept = render::sweep_light(
             shaders, extinction, albedo, render::plan_sweep(grid, light, {0.0, 0.0, 1.0}, axis_count), settings);
         (channels == 1 ? swept.direct : swept.beside)
@@ -79,13 +94,26 @@ double jump_over_median(gl::ShaderLibrary& shaders, render::SweptState state, in
 
 void stress_light_motion(StressRig& rig) {
     rig.group("motion");
-    constexpr const char* what =
-        "a light once around in steps of 0.5 degrees: largest change of a cell over the median";
-    rig.number("direct", what, 3.0, [&] { return jump_over_median(rig.shaders(), render::SweptState::direct, 3); });
-    rig.number("diffuse", what, 3.0, [&] { return jump_over_median(rig.shaders(), render::SweptState::diffuse, 3); });
-    rig.number("paper", "the same as published, with two axes; known to jump, no bound",
-               std::numeric_limits<double>::infinity(),
-               [&] { return jump_over_median(rig.shaders(), render::SweptState::chromaticity, 2); });
+    struct Route {
+        const char* name;
+        const char* what;
+        Path path;
+    };
+    for (const Route& route :
+         {Route{"around", "a light once around in steps of 0.5 degrees: largest change of a cell over the median",
+                once_around()},
+          Route{"swap", "in steps of 0.01 degrees through a change of axes: the same", through_a_swap()}}) {
+        const auto jump = [&](render::SweptState state, int axis_count) {
+            return [&rig, &route, state, axis_count] {
+                return jump_over_median(rig.shaders(), route.path, state, axis_count);
+            };
+        };
+        const std::string name(route.name);
+        rig.number(name + "-direct", route.what, 3.0, jump(render::SweptState::direct, 3));
+        rig.number(name + "-diffuse", route.what, 3.0, jump(render::SweptState::diffuse, 3));
+        rig.number(name + "-paper", "the same as published, with two axes; known to jump, no bound",
+                   std::numeric_limits<double>::infinity(), jump(render::SweptState::chromaticity, 2));
+    }
 }
 
 }  // namespace bruma::measure
