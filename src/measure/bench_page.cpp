@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "measure/bench_findings.h"
+#include "measure/bench_html.h"
 #include "measure/bench_report.h"
 #include "measure/plot.h"
 
@@ -69,11 +70,6 @@ BarPlot savings_plot(const VolumeBenchScene& scene) {
     return plot;
 }
 
-std::string figure(const std::string& title, const std::string& svg, const std::string& finding) {
-    return fmt::format("<figure><h3>{}</h3>\n{}<figcaption>{}.</figcaption></figure>\n", html_text(title), svg,
-                       html_text(finding));
-}
-
 std::string table_of(const VolumeBenchScene& scene) {
     std::string text =
         "<div class=\"wide\"><table><thead><tr><th>classification<th>step<th>skip<th>stop<th>RMSE<th>rel. MSE"
@@ -117,25 +113,7 @@ std::string section(const VolumeBenchScene& scene) {
 
 std::string page_of(const VolumeBench& bench) {
     const Machine& m = bench.machine;
-    std::string text =
-        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-        "<meta name=\"viewport\" content=\"width=device-width\">"
-        "<title>Bruma: volumes, time against error</title>\n<style>\n" +
-        plot_style() +
-        R"(body{background:var(--paper);color:var(--ink);font:15px/1.5 system-ui,sans-serif;margin:0 auto;
-padding:1.5rem;max-width:1240px}
-h1,h2,h3{line-height:1.2;margin:1.4rem 0 .5rem}h1{font-size:1.7rem}h3{font-size:1rem;margin:.2rem 0 .6rem}
-p{max-width:80ch}.soft{color:var(--soft)}
-.plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,460px),1fr));gap:1.2rem}
-figure{margin:0;border:1px solid var(--grid);border-radius:6px;padding:1rem;display:flex;flex-direction:column}
-figure svg{margin:auto 0}figcaption{margin-top:.6rem;font-size:.92rem}figcaption::first-letter{text-transform:uppercase}
-summary{cursor:pointer;margin:1rem 0 .5rem}.wide{overflow-x:auto}
-table{border-collapse:collapse;font-size:.8rem;font-variant-numeric:tabular-nums;white-space:nowrap}
-th,td{padding:.15rem .55rem;text-align:right;border-bottom:1px solid var(--grid)}th{text-align:right;color:var(--soft)}
-th:first-child,td:first-child{text-align:left}tbody tr:hover{background:var(--grid)}
-</style></head><body>
-<h1>Volumes: run time against error</h1>
-)";
+    std::string text = page_head("Bruma: volumes, time against error", "Volumes: run time against error");
     text += fmt::format(
         "<p class=\"soft\">{} pixels, {} rounds. {}, {} cores; {} ({}). Bruma {}, {}.</p>\n"
         "<p>Error is measured in linear light against the double-precision reference. Milliseconds are numbers of this "

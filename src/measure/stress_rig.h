@@ -28,6 +28,7 @@ class StressRig {
     /// A picture as it is judged, for `number`. Throws std::runtime_error if it is not finite.
     Image draw(const scene::Scene& scene, glm::ivec2 pixels = stress_pixels);
 
+    gl::ShaderLibrary& shaders() { return shaders_; }
     const std::vector<StressVerdict>& verdicts() const { return verdicts_; }
 
   private:
@@ -51,5 +52,10 @@ void stress_placement(StressRig& rig);
 void stress_march(StressRig& rig);
 void stress_lights(StressRig& rig);
 void stress_random(StressRig& rig, int count);
+
+void stress_light_optics(StressRig& rig);
+void stress_light_lamps(StressRig& rig);
+void stress_light_shapes(StressRig& rig);
+void stress_light_motion(StressRig& rig);
 
 }  // namespace bruma::measure

@@ -12,6 +12,7 @@
 #include "io/picture_file.h"
 #include "measure/bench_findings.h"
 #include "measure/bench_frames.h"
+#include "measure/bench_light_report.h"
 #include "measure/bench_report.h"
 
 namespace bruma::app {
@@ -65,6 +66,38 @@ int bench_volume(const BenchArguments& arguments, const std::vector<std::string>
     return int(ExitCode::done);
 }
 
+int bench_light(const BenchArguments& arguments, const std::vector<std::string>& command_line) {
+    io::require_writable_folder(arguments.output);
+    const glm::ivec2 pixels = arguments.scene.pixels();
+    const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
+    measure::LightBenchOptions options;
+    options.pixels = pixels;
+    options.repeats = arguments.repeats;
+    options.quick = arguments.quick;
+    options.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+    std::vector<measure::BenchScene> scenes = measure::default_light_scenes(double(pixels.x) / pixels.y);
+    if (options.quick) {
+        scenes.resize(1);
+    }
+    for (const std::string& file : arguments.scene.files) {
+        scenes.push_back({scene_name(file), open_one(arguments, file)});
+        measure::make_light_scene(scenes.back().scene);
+    }
+    const measure::LightBench bench = measure::run_light_bench(scenes, options);
+    measure::write_light_bench(bench, arguments.output);
+    for (const measure::LightBenchScene& scene : bench.scenes) {
+        fmt::print("{}: {}\n", scene.name, measure::finding_single(scene));
+        fmt::print("{}: {}\n", scene.name, measure::finding_multiple(scene));
+        fmt::print("{}: {}\n", scene.name, measure::finding_cost(scene));
+    }
+    for (const measure::LightBuildRow& row : bench.builds) {
+        fmt::print("{}\n", measure::finding_build(row));
+    }
+    fmt::print("{}\ntimes are numbers of this machine; written: {}\n", measure::finding_batches(bench),
+               (std::filesystem::path(arguments.output) / "light.html").string());
+    return int(ExitCode::done);
+}
+
 int bench_frames(const BenchArguments& arguments, const std::vector<std::string>& command_line) {
     if (!arguments.picture.empty() && arguments.scene.files.size() != 1) {
         throw InputError(fmt::format("--picture-frame0 {}: one picture, but {} scenes; give one scene at a time",
@@ -111,7 +144,7 @@ Verb declare_bench(CLI::App& app, const std::vector<std::string>& command_line) 
     auto arguments = std::make_shared<BenchArguments>();
     const auto suite = [&](const char* name, const char* sentence) {
         CLI::App* verb = app.add_subcommand(name, sentence);
-        arguments->scene.size = "512x512";
+        arguments->scene.size.clear();
         arguments->scene.declare(*verb, true);
         verb->add_option("-o,--output", arguments->output, "folder for the results; made if it is not there")
             ->required();
@@ -123,6 +156,11 @@ Verb declare_bench(CLI::App& app, const std::vector<std::string>& command_line) 
         suite("volume", "volumes: run time against error, with plots; FILEs are added to the usual scenes");
     volume->add_option("--repeats", arguments->repeats, "rounds of timed frames")->check(CLI::Range(1, 1000));
     volume->add_flag("--quick", arguments->quick, "fewer steps and settings");
+    CLI::App* light = suite("light",
+                            "light in volumes: what each way costs and how far it is from the truth; FILEs, of "
+                            "one volume each, are added to the usual scenes");
+    light->add_option("--repeats", arguments->repeats, "rounds of timed frames")->check(CLI::Range(1, 1000));
+    light->add_flag("--quick", arguments->quick, "one scene, without full resolution");
     CLI::App* frames = suite("frames", "frames along an orbit around each scene, as other programs measure theirs");
     frames->add_option("--repeats", arguments->frames, "frames that count")->check(CLI::Range(1, 100000));
     frames->add_option("--warmup", arguments->warmup, "frames before them")->check(CLI::Range(0, 1000));
@@ -131,7 +169,13 @@ Verb declare_bench(CLI::App& app, const std::vector<std::string>& command_line) 
     frames->add_option("--picture-frame0", arguments->picture, ".exr: the first frame, linear");
     frames->get_option("files")->required();
     app.require_subcommand(1);
-    return [arguments, command_line, frames] {
+    return [arguments, command_line, frames, light] {
+        if (arguments->scene.size.empty()) {  // references of light are slow, and smooth light needs few pixels
+            arguments->scene.size = light->parsed() ? "96x96" : "512x512";
+        }
+        if (light->parsed()) {
+            return bench_light(*arguments, command_line);
+        }
         return frames->parsed() ? bench_frames(*arguments, command_line) : bench_volume(*arguments, command_line);
     };
 }

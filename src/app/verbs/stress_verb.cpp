@@ -17,14 +17,16 @@ struct StressArguments {
     measure::StressOptions options;
 };
 
-int stress_volume(const StressArguments& arguments, const std::vector<std::string>& command_line) {
+using Suite = std::vector<measure::StressVerdict> (*)(const measure::StressOptions&);
+
+int run_suite(Suite suite, const StressArguments& arguments, const std::vector<std::string>& command_line) {
     const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
     measure::StressOptions options = arguments.options;
     options.say = [](const measure::StressVerdict& verdict) {
         fmt::print("{}\n", measure::line_of(verdict));
         std::fflush(stdout);
     };
-    const std::vector<measure::StressVerdict> verdicts = measure::run_volume_stress(options);
+    const std::vector<measure::StressVerdict> verdicts = suite(options);
     if (verdicts.empty()) {
         throw InputError(fmt::format("--only {}: no case has this in its name; run without it to see them all",
                                      arguments.options.only));
@@ -38,15 +40,22 @@ int stress_volume(const StressArguments& arguments, const std::vector<std::strin
 
 Verb declare_stress(CLI::App& app, const std::vector<std::string>& command_line) {
     auto arguments = std::make_shared<StressArguments>();
-    CLI::App* volume =
-        app.add_subcommand("volume", "measured volumes: values, curves, cameras, placement, march, lights");
-    volume->add_option("--context", arguments->context, "auto, egl or osmesa");
-    volume->add_option("--only", arguments->options.only, "only cases with this in GROUP/NAME");
+    const auto suite = [&](const char* name, const char* sentence) {
+        CLI::App* verb = app.add_subcommand(name, sentence);
+        verb->add_option("--context", arguments->context, "auto, egl or osmesa");
+        verb->add_option("--only", arguments->options.only, "only cases with this in GROUP/NAME");
+        verb->fallthrough();  // --verbose and --shaders stand on the verb itself
+        return verb;
+    };
+    CLI::App* volume = suite("volume", "measured volumes: values, curves, cameras, placement, march, lights");
     volume->add_option("--random", arguments->options.random_scenes, "how many scenes to draw at random")
         ->check(CLI::Range(0, 1000000));
-    volume->fallthrough();  // --verbose and --shaders stand on the verb itself
+    const CLI::App* light = suite("light", "light that scatters in volumes: optics, lamps, shapes, motion");
     app.require_subcommand(1);
-    return [arguments, command_line] { return stress_volume(*arguments, command_line); };
+    return [arguments, command_line, light] {
+        return run_suite(light->parsed() ? measure::run_light_stress : measure::run_volume_stress, *arguments,
+                         command_line);
+    };
 }
 
 }  // namespace bruma::app
