@@ -28,8 +28,15 @@ float phase_4pi(float g, float cosine)
     return (1.0 - g * g) * inverse * inverse * inverse;
 }
 
-// Share of the direct light of light n that arrives at x, and where its grids are to be looked up.
-float arriving_light(int m, int n, vec3 x, Incident incident, out vec3 lookup)
+// Direct light of light n at the end of the stretch towards it that is looked up in the data, where its grids are to be
+// looked up, and the optical depth of that stretch.
+struct Arriving {
+    float direct;
+    float depth;
+    vec3 lookup;
+};
+
+Arriving arriving_light(int m, int n, vec3 x, Incident incident)
 {
     vec3 way = texture_from_world[m] * incident.toward;
     vec3 cells_per_step = abs(way) * light_cells[m];
@@ -38,41 +45,47 @@ float arriving_light(int m, int n, vec3 x, Incident incident, out vec3 lookup)
     vec3 exits = max(room, 0.0) / max(abs(way), vec3(1e-20));
     float outside = min(incident.distance, min(exits.x, min(exits.y, exits.z)));
     float reach = min(near_cells / rate, outside);
-    float transmittance = 1.0;
+    Arriving arriving;
+    arriving.depth = 0.0;
 #if NEAR_STEPS > 0
-    float depth = 0.0;
     for (int k = 0; k < NEAR_STEPS; ++k) {
-        depth += sigma_at(m, x + way * (reach * ((float(k) + 0.5) / float(NEAR_STEPS))));
+        arriving.depth += sigma_at(m, x + way * (reach * ((float(k) + 0.5) / float(NEAR_STEPS))));
     }
-    transmittance = 1.0 - opacity_of(depth * (reach / float(NEAR_STEPS)) * tau_scale[m]);
+    arriving.depth *= (reach / float(NEAR_STEPS)) * tau_scale[m];
 #endif
-    lookup = (x + way * reach) * grid_from_texture_scale[m] + grid_from_texture_shift[m];
+    arriving.lookup = (x + way * reach) * grid_from_texture_scale[m] + grid_from_texture_shift[m];
     // Cells at the border hold light from inside of them: over their outer half it is led to what comes from outside.
     float inside = clamp(2.0 * rate * (outside - reach), 0.0, 1.0);
-    float direct = textureLod(direct_light[m], in_stack(lookup, n, half_cell[m].x), 0.0).x;
-    return transmittance * mix(1.0, direct, inside);
+    float direct = textureLod(direct_light[m], in_stack(arriving.lookup, n, half_cell[m].x), 0.0).x;
+    arriving.direct = mix(1.0, direct, inside);
+    return arriving;
 }
 
 vec3 scattered_source(int m, vec3 color, float weight, float t)
 {
     vec3 x = ray_volumes[m].origin + t * ray_volumes[m].direction;
     vec3 light = vec3(0.0);
+    vec3 albedo = clamp(color / max(weight, 1e-20), 0.0, 1.0);
 #ifdef SURFACES
     SurfacePoint point = surface_at(m, x);
     vec3 reflected_light = vec3(0.0);
 #endif
     for (int n = 0; n < light_count; ++n) {
         Incident incident = n < DIRECTIONAL_LIGHTS ? incident_from_afar(n) : incident_from_point(n, t);
-        vec3 lookup;
-        float direct = arriving_light(m, n, x, incident, lookup);
+        Arriving arriving = arriving_light(m, n, x, incident);
+        float opacity = opacity_of(arriving.depth);
+        float direct = (1.0 - opacity) * arriving.direct;
         vec3 chromaticity = vec3(1.0);
         vec3 diffuse = vec3(0.0);
 #ifdef DIFFUSE_LIGHT
-        vec3 beside = textureLod(diffuse_light[m], in_stack(lookup, n, half_cell[m].y), 0.0).xyz;
+        vec3 beside = textureLod(diffuse_light[m], in_stack(arriving.lookup, n, half_cell[m].y), 0.0).xyz;
         if (scatter_kind[m] == 2) {
             chromaticity = 4.0 * beside;
         } else {
-            diffuse = beside;
+            // The recurrence of the sweep over the last stretch, with the albedo of its end.
+            vec3 depth = (1.0 - albedo) * arriving.depth;
+            vec3 absorbed = vec3(opacity_of(depth.x), opacity_of(depth.y), opacity_of(depth.z));
+            diffuse = (1.0 - opacity) * beside + (opacity - absorbed) * (beside + arriving.direct);
         }
 #endif
         // Irradiance is over pi: p E = phase_4pi / 4 * (E / pi).

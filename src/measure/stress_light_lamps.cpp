@@ -74,6 +74,8 @@ void stress_light_lamps(StressRig& rig) {
     // Sums of rounded parts: 2^-24 for each.
     rig.number("coincident", "two halves of a light in one place, against the whole", 1e-5,
                [&] { return difference_in_all_ways(rig, shared_among(2), scattering_scene({})); });
+    rig.number("eight", "the same light as eight of an eighth each", 1e-5,
+               [&] { return difference_in_all_ways(rig, shared_among(8), scattering_scene({})); });
     // Each light takes two textures, and drivers have 16 or more.
     GLint units = 0;
     glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);

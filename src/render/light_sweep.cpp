@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "gl/buffer.h"
 
@@ -12,6 +13,13 @@ namespace {
 /// Slices up to this many cells are swept by single work groups when no one says otherwise: there the launches and
 /// barriers cost more than the arithmetic.
 constexpr int small_slice = 64 * 64;
+/// Launches cost a software renderer next to nothing, and one work group keeps but one core busy.
+bool draws_in_software() {
+    const auto* const renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    const std::string_view name = renderer != nullptr ? renderer : "";
+    return name.find("llvmpipe") != name.npos || name.find("softpipe") != name.npos;
+}
+
 /// Sweeps that need more scratch than this one after the other instead of side by side.
 constexpr std::size_t most_scratch_bytes = std::size_t(256) << 20;
 
@@ -154,7 +162,7 @@ SweptLight sweep_light(gl::ShaderLibrary& shaders, const gl::Texture& extinction
     }
     int per_dispatch = settings.slices_per_dispatch;
     if (per_dispatch == 0) {
-        per_dispatch = largest_slice <= small_slice ? std::max(1, most_slices) : 1;
+        per_dispatch = largest_slice <= small_slice && !draws_in_software() ? std::max(1, most_slices) : 1;
     }
     const bool whole = per_dispatch > 1;
     if (whole) {

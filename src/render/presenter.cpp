@@ -28,6 +28,8 @@ std::vector<std::uint8_t> Presenter::read(const Picture& picture, const scene::D
     framebuffer.bind();
     draw(picture, display, size);
     const std::size_t row = std::size_t(4) * size.x;
+    // Deleted while bound, Mesa would go on drawing into the window as it did here: upside down.
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     std::vector<std::uint8_t> bottom_up(row * size.y);
     target.download({GL_RGBA, GL_UNSIGNED_BYTE}, bottom_up.size(), bottom_up.data());
     std::vector<std::uint8_t> bytes(bottom_up.size());

@@ -55,7 +55,7 @@ bool light_volume_field_matters(const scene::Volume& volume, std::string_view fi
     if (volume.optics->lighting == VolumeLighting::shadow_rays) {
         return any_of(std::array<std::string_view, 3>{"resolution", "precision", "near_steps"}, field);
     }
-    if (volume.optics->lighting != VolumeLighting::light_volume || field == "toward_eye") {
+    if (volume.optics->lighting != VolumeLighting::light_volume) {
         return false;
     }
     const bool paper = volume.light_volume->mode == SweepMode::paper;
