@@ -4,7 +4,6 @@
 #include <chrono>
 
 namespace bruma::render {
-
 Renderer::Renderer(gl::ShaderLibrary& shaders) : shaders_(shaders), march_(graph_, shaders) {
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
 }
@@ -44,7 +43,37 @@ void Renderer::update(const scene::Scene& scene, const View& view) {
     for (const auto& [name, passes] : volumes_) {
         passes->update(std::get<scene::Volume>(scene.nodes.at(name).content), *scene.rendering, step);
     }
-    march_.update(scene, volumes_, lights_, view, step);
+    update_meshes(scene, view.pixels);
+    march_.update(scene, volumes_, lights_, opaque_ ? opaque_->picture : Handle<OpaquePicture>{}, view, step);
+}
+
+void Renderer::update_meshes(const scene::Scene& scene, glm::ivec2 pixels) {
+    const std::vector<std::string> shown = scene::shown_meshes(scene);
+    if (shown.empty() && opaque_) {
+        opaque_->remove();
+        opaque_.reset();
+    }
+    std::erase_if(meshes_, [&](const auto& entry) {
+        const bool gone = std::find(shown.begin(), shown.end(), entry.first) == shown.end();
+        if (gone) {
+            entry.second->remove();
+        }
+        return gone;
+    });
+    if (shown.empty()) {
+        return;
+    }
+    if (!opaque_) {
+        opaque_ = std::make_unique<OpaquePass>(graph_, shaders_, march_.camera, march_.shader_revision);
+    }
+    for (const std::string& name : shown) {
+        auto& passes = meshes_[name];
+        if (!passes) {
+            passes = std::make_unique<MeshPasses>(graph_, name);
+        }
+        passes->update(std::get<scene::Mesh>(scene.nodes.at(name).content));
+    }
+    opaque_->update(scene, meshes_, pixels);
 }
 
 void Renderer::update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world) {

@@ -23,7 +23,8 @@ class Renderer {
   public:
     explicit Renderer(gl::ShaderLibrary& shaders);
 
-    /// Brings the picture up to date; the scene needs a camera, and its volumes their grids. With `measure_gpu` the
+    /// Brings the picture up to date; the scene needs a camera, its volumes their grids and its meshes
+    /// their triangles. With `measure_gpu` the
     /// GPU is drained around each pass, so that its time is known.
     const RunReport& render(const scene::Scene& scene, const View& view, bool measure_gpu = false);
 
@@ -40,6 +41,7 @@ class Renderer {
 
   private:
     void update(const scene::Scene& scene, const View& view);
+    void update_meshes(const scene::Scene& scene, glm::ivec2 pixels);
     void update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world);
 
     FrameGraph graph_;
@@ -47,6 +49,8 @@ class Renderer {
     MarchPass march_;
     MarchPass::Volumes volumes_;
     MarchPass::Lights lights_;  ///< of the volumes that scatter
+    OpaquePass::Meshes meshes_;
+    std::unique_ptr<OpaquePass> opaque_;  ///< none while no mesh is shown
 };
 
 }  // namespace bruma::render

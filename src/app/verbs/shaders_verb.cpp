@@ -15,11 +15,17 @@ namespace {
 
 /// Every combination of the switches that the passes use.
 std::vector<gl::Defines> variants_of(const std::string& file) {
+    if (file == "background.frag") {
+        return {{}, {{"OPAQUE", ""}}};
+    }
+    if (file == "mesh.frag") {
+        return {{{"DIRECTIONAL_LIGHTS", "1"}, {"POINT_LIGHTS", "1"}}};
+    }
     if (file != "volume_march.frag") {
         return {{}};
     }
     std::vector<gl::Defines> variants;
-    for (int bits = 0; bits < 128; ++bits) {
+    for (int bits = 0; bits < 256; ++bits) {
         if ((bits & 2) && (bits & 64)) {
             continue;  // refinement belongs to pre-integration
         }
@@ -34,6 +40,7 @@ std::vector<gl::Defines> variants_of(const std::string& file) {
         add(4, "LEAP");
         add(8, "STOP_EARLY");
         add(16, "COUNT");
+        add(128, "OPAQUE");
         if (bits & 32) {
             defines["LIT"] = "";
             defines["GLOW"] = "";

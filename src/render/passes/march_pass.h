@@ -7,6 +7,7 @@
 
 #include "gl/shader_library.h"
 #include "render/passes/light_passes.h"
+#include "render/passes/opaque_pass.h"
 #include "render/passes/volume_passes.h"
 
 namespace bruma::render {
@@ -31,7 +32,7 @@ struct View {
     bool operator==(const View&) const = default;
 };
 
-/// The one view-dependent pass: marches all shown volumes over the background.
+/// Marches all shown volumes, up to the surfaces that the opaque pass found, over these and the background.
 class MarchPass {
   public:
     MarchPass(FrameGraph& graph, gl::ShaderLibrary& shaders);
@@ -39,9 +40,12 @@ class MarchPass {
     using Volumes = std::map<std::string, std::unique_ptr<VolumePasses>>;
     using Lights = std::map<std::string, std::unique_ptr<LightPasses>>;
     /// Hands the graph this frame's sources and parameters. `lights`: of the volumes that scatter.
-    void update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights, const View& view,
-                double step_world);
+    /// `opaque`: the surfaces of all meshes; an empty handle where there are none.
+    void update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights, Handle<OpaquePicture> opaque,
+                const View& view, double step_world);
 
+    Handle<scene::Camera> camera;
+    Handle<int> shader_revision;
     Handle<Picture> picture;
     Handle<SampleCounts> counts;
 
@@ -66,6 +70,8 @@ class MarchPass {
         View view;
         scene::RenderSettings settings;
         double step_world = 1.0;
+        double skipped_distance = 0.0;  ///< metres, before parallel rays start
+        Handle<OpaquePicture> opaque;
         std::vector<VolumeInput> volumes;
         std::vector<scene::Light> lights;
         bool lit = false;  ///< lights matter
@@ -83,9 +89,7 @@ class MarchPass {
     gl::ShaderLibrary& shaders_;
     gl::VertexArray no_vertices_{"no vertices"};
     gl::Texture blue_noise_;
-    Handle<scene::Camera> camera_;
     Handle<scene::Background> background_;
-    Handle<int> shader_revision_;
     PassId march_, count_;
 };
 
