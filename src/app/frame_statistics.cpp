@@ -47,6 +47,47 @@ double largest_radiance(const scene::Scene& scene) {
     return most;
 }
 
+FrameStatistics measure_paths(gl::ShaderLibrary& shaders, const scene::Scene& scene, const render::View& view) {
+    render::Renderer renderer(shaders);
+    FrameStatistics statistics;
+    statistics.passes = renderer.render(scene, view, true);
+    PathFigures figures{renderer.path_standing().value(), 0.0};
+    for (const render::PassReport& pass : statistics.passes) {
+        figures.ms += pass.name == "path trace" ? pass.gpu_ms : 0.0;
+    }
+    statistics.paths = figures;
+    return statistics;
+}
+
+nlohmann::json figures_of_march(const FrameStatistics& s) {
+    return {{"step_mm", s.step_mm},
+            {"early_termination_error_bound", s.termination_bound},
+            {"frame",
+             {{"march_ms_median", s.frame_ms},
+              {"samples", s.samples.samples},
+              {"samples_per_pixel", s.samples.samples_per_pixel},
+              {"emptiness_queries", s.samples.emptiness_queries}}},
+            {"brute_force",
+             {{"march_ms_median", s.brute_ms},
+              {"samples", s.brute_samples.samples},
+              {"samples_per_pixel", s.brute_samples.samples_per_pixel}}},
+            {"ratio",
+             {{"time", s.brute_ms / std::max(1e-9, s.frame_ms)},
+              {"samples", double(s.brute_samples.samples) / double(std::max<std::uint64_t>(1, s.samples.samples))}}}};
+}
+
+nlohmann::json figures_of_paths(const PathFigures& figures) {
+    nlohmann::json error;  // null below two paths
+    if (figures.standing.standard_error) {
+        error = *figures.standing.standard_error;
+    }
+    return {{"paths",
+             {{"samples", figures.standing.samples},
+              {"standard_error", error},
+              {"ms", figures.ms},
+              {"ms_per_sample", figures.ms / std::max(1, figures.standing.samples)}}}};
+}
+
 }  // namespace
 
 std::string explanation(const render::RunReport& report) {
@@ -66,6 +107,9 @@ std::string explanation(const render::RunReport& report) {
 
 FrameStatistics measure_frame(gl::ShaderLibrary& shaders, const scene::Scene& scene, const render::View& view,
                               int repeats) {
+    if (render::is_path_traced(scene)) {
+        return measure_paths(shaders, scene, view);
+    }
     struct Stand {
         render::Renderer renderer;
         scene::Scene scene;
@@ -115,25 +159,20 @@ nlohmann::json to_json(const FrameStatistics& s) {
                           {"gpu_ms", pass.gpu_ms},
                           {"note", pass.note}});
     }
-    return {{"driver", {{"vendor", driver.vendor}, {"renderer", driver.renderer}, {"version", driver.version}}},
-            {"passes", passes},
-            {"step_mm", s.step_mm},
-            {"early_termination_error_bound", s.termination_bound},
-            {"frame",
-             {{"march_ms_median", s.frame_ms},
-              {"samples", s.samples.samples},
-              {"samples_per_pixel", s.samples.samples_per_pixel},
-              {"emptiness_queries", s.samples.emptiness_queries}}},
-            {"brute_force",
-             {{"march_ms_median", s.brute_ms},
-              {"samples", s.brute_samples.samples},
-              {"samples_per_pixel", s.brute_samples.samples_per_pixel}}},
-            {"ratio",
-             {{"time", s.brute_ms / std::max(1e-9, s.frame_ms)},
-              {"samples", double(s.brute_samples.samples) / double(std::max<std::uint64_t>(1, s.samples.samples))}}}};
+    nlohmann::json json = s.paths ? figures_of_paths(*s.paths) : figures_of_march(s);
+    json["driver"] = {{"vendor", driver.vendor}, {"renderer", driver.renderer}, {"version", driver.version}};
+    json["passes"] = passes;
+    return json;
 }
 
 std::string summary(const FrameStatistics& s) {
+    if (s.paths) {
+        const render::PathStanding& standing = s.paths->standing;
+        const std::string error =
+            standing.standard_error ? fmt::format("{:.3g}", *standing.standard_error) : "unknown below two";
+        return fmt::format("{} paths per pixel in {:.0f} ms, standard error {}\n", standing.samples, s.paths->ms,
+                           error);
+    }
     return fmt::format(
         "march {:.1f} ms, {:.1f} samples per pixel ({:.2f} M, {:.2f} M queries of emptiness)\n"
         "without skipping and early termination {:.1f} ms, {:.1f} samples per pixel ({:.2f} M): {:.2f} x the time, "

@@ -76,6 +76,9 @@ int run(const std::vector<std::string>& arguments, const Viewer& viewer) {
 
     SceneArguments to_view;
     to_view.declare(app, true);
+    int samples = ViewRequest{}.samples;
+    app.add_option("--samples", samples, "path_traced lighting: paths for each pixel, then the picture rests")
+        ->check(CLI::Range(1, 1 << 20));
     app.add_option("--drive", drive, "file of steps that the viewer acts out by itself (for tests)");
     const auto common = [&](CLI::App& verb) {
         verb.add_flag("-v,--verbose", verbose, "say more on standard error");
@@ -120,7 +123,7 @@ int run(const std::vector<std::string>& arguments, const Viewer& viewer) {
     }
     const glm::ivec2 size = to_view.pixels();
     return viewer(
-        {to_view.files, to_view.hints(), to_view.settings, to_view.camera, to_view.up, drive, size.x, size.y});
+        {to_view.files, to_view.hints(), to_view.settings, to_view.camera, to_view.up, drive, size.x, size.y, samples});
 }
 
 }  // namespace

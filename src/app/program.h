@@ -16,6 +16,7 @@ struct ViewRequest {
     std::string up;                     ///< likewise; empty: y
     std::string drive_script;           ///< file of steps to act out (tests); empty: a person acts
     int width = 1280, height = 800;     ///< of the window
+    int samples = 1024;                 ///< path_traced lighting: paths per pixel of the picture that stays
 };
 using Viewer = std::function<int(const ViewRequest&)>;
 

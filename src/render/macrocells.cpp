@@ -89,6 +89,28 @@ CellRanges make_cell_ranges(const scene::VolumeGrid& grid) {
     return ranges;
 }
 
+TouchedEntries::TouchedEntries(const CellRanges& ranges, glm::dvec2 u_of_value, int entries)
+    : ranges_(ranges), u_of_value_(u_of_value), entries_(entries) {
+    // Rounding is relative to the largest number that occurs, be it a value or the window's end that is taken from it.
+    double magnitude = 0.0;
+    for (std::size_t cell = 0; cell < ranges.smallest.size(); ++cell) {
+        magnitude =
+            std::max({magnitude, std::abs(double(ranges.smallest[cell])), std::abs(double(ranges.largest[cell]))});
+    }
+    const double largest_term = magnitude * std::abs(u_of_value.x) + std::abs(u_of_value.y);
+    room_ = std::min(double(entries), 4.0 * std::numeric_limits<float>::epsilon() * largest_term * (entries - 1));
+}
+
+TouchedEntries::Span TouchedEntries::of(std::size_t cell) const {
+    const auto entry_of = [&](double value) {
+        return std::clamp(value * u_of_value_.x + u_of_value_.y, 0.0, 1.0) * (entries_ - 1);
+    };
+    const double one = entry_of(ranges_.smallest[cell]);
+    const double other = entry_of(ranges_.largest[cell]);
+    return {std::max(0, int(std::floor(std::min(one, other) - room_)) - 1),
+            std::min(entries_, int(std::ceil(std::max(one, other) + room_)) + 2)};
+}
+
 Emptiness find_emptiness(const CellRanges& ranges, const TransferTables& tables, glm::dvec2 u_of_value) {
     const int entries = int(tables.depth.size());
     // visible[i]: how many entries below i have extinction.
@@ -96,28 +118,13 @@ Emptiness find_emptiness(const CellRanges& ranges, const TransferTables& tables,
     for (int n = 0; n < entries; ++n) {
         visible[std::size_t(n) + 1] = visible[std::size_t(n)] + (tables.depth[std::size_t(n)].y > 0.0F ? 1 : 0);
     }
-    const auto entry_of = [&](double value) {
-        return std::clamp(value * u_of_value.x + u_of_value.y, 0.0, 1.0) * (entries - 1);
-    };
+    const TouchedEntries touched(ranges, u_of_value, entries);
     Emptiness result;
     result.cells = ranges.cells;
     result.distance.resize(ranges.smallest.size());
     std::size_t occupied = 0;
-    // What float rounding may move a value by, in table entries: it is relative to the largest number that occurs, be
-    // it a value or the window's end that is taken from it.
-    double magnitude = 0.0;
     for (std::size_t cell = 0; cell < ranges.smallest.size(); ++cell) {
-        magnitude =
-            std::max({magnitude, std::abs(double(ranges.smallest[cell])), std::abs(double(ranges.largest[cell]))});
-    }
-    const double largest_term = magnitude * std::abs(u_of_value.x) + std::abs(u_of_value.y);
-    const double room =
-        std::min(double(entries), 4.0 * std::numeric_limits<float>::epsilon() * largest_term * (entries - 1));
-    for (std::size_t cell = 0; cell < ranges.smallest.size(); ++cell) {
-        const double one = entry_of(ranges.smallest[cell]);
-        const double other = entry_of(ranges.largest[cell]);
-        const int first = std::max(0, int(std::floor(std::min(one, other) - room)) - 1);
-        const int behind = std::min(entries, int(std::ceil(std::max(one, other) + room)) + 2);
+        const auto [first, behind] = touched.of(cell);
         const bool empty = visible[std::size_t(behind)] == visible[std::size_t(first)];
         result.distance[cell] = empty ? 255 : 0;
         occupied += empty ? 0 : 1;

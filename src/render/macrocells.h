@@ -18,6 +18,23 @@ struct CellRanges {
 };
 CellRanges make_cell_ranges(const scene::VolumeGrid& grid);
 
+/// Which entries of a table over u in [0, 1] linear lookups inside a cell can touch, and one more on each side for
+/// rounding. `u_of_value` gives u = x * value + y.
+class TouchedEntries {
+  public:
+    TouchedEntries(const CellRanges& ranges, glm::dvec2 u_of_value, int entries);
+    struct Span {
+        int first, behind;  ///< entries first .. behind - 1, at least one
+    };
+    Span of(std::size_t cell) const;
+
+  private:
+    const CellRanges& ranges_;
+    glm::dvec2 u_of_value_;
+    int entries_;
+    double room_;  ///< what float rounding may move a value by, in entries
+};
+
 /// Which cells hold anything visible, as the Chebyshev distance to the nearest such cell: 0 in the cell itself, at most
 /// 255. From inside a cell at distance D, everything nearer than D cells is empty.
 struct Emptiness {

@@ -2,9 +2,29 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+
+#include "base/log.h"
 
 namespace bruma::render {
-Renderer::Renderer(gl::ShaderLibrary& shaders) : shaders_(shaders), march_(graph_, shaders) {
+namespace {
+
+/// A texture of four floats in memory, top row first.
+Image read_top_down(const gl::Texture& texture) {
+    const glm::ivec3 size = texture.size();
+    Image bottom_up(size.x, size.y);
+    texture.download({GL_RGBA, GL_FLOAT}, bottom_up.rgba.size() * sizeof(float), bottom_up.rgba.data());
+    Image image(size.x, size.y);
+    for (int y = 0; y < size.y; ++y) {
+        std::copy_n(bottom_up.pixel(0, size.y - 1 - y), std::size_t(4) * size.x, image.pixel(0, y));
+    }
+    return image;
+}
+
+}  // namespace
+
+Renderer::Renderer(gl::ShaderLibrary& shaders)
+    : shaders_(shaders), march_(graph_, shaders), path_trace_(graph_, shaders) {
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
 }
 
@@ -35,6 +55,7 @@ void Renderer::update(const scene::Scene& scene, const View& view) {
     std::erase_if(volumes_, [&](const auto& entry) {
         const bool gone = std::find(shown.begin(), shown.end(), entry.first) == shown.end();
         if (gone) {
+            path_trace_.forget(entry.first);
             entry.second->remove();
         }
         return gone;
@@ -43,12 +64,22 @@ void Renderer::update(const scene::Scene& scene, const View& view) {
     for (const auto& [name, passes] : volumes_) {
         passes->update(std::get<scene::Volume>(scene.nodes.at(name).content), *scene.rendering, step);
     }
-    update_meshes(scene, view.pixels);
-    march_.update(scene, volumes_, lights_, opaque_ ? opaque_->picture : Handle<OpaquePicture>{}, view, step);
+    path_traced_ = is_path_traced(scene);
+    update_meshes(scene, path_traced_ ? std::vector<std::string>{} : scene::shown_meshes(scene), view.pixels);
+    if (path_traced_) {
+        if (!said_no_meshes_ && !scene::shown_meshes(scene).empty()) {
+            said_no_meshes_ = true;
+            log_warning("path_traced lighting: paths do not meet meshes yet, so they are left out of the picture");
+        }
+        path_trace_.update(scene, volumes_, view);
+    } else {
+        path_trace_.forget_all();
+        march_.update(scene, volumes_, lights_, opaque_ ? opaque_->picture : Handle<OpaquePicture>{},
+                      {view.pixels, view.step_scale}, step);
+    }
 }
 
-void Renderer::update_meshes(const scene::Scene& scene, glm::ivec2 pixels) {
-    const std::vector<std::string> shown = scene::shown_meshes(scene);
+void Renderer::update_meshes(const scene::Scene& scene, const std::vector<std::string>& shown, glm::ivec2 pixels) {
     if (shown.empty() && opaque_) {
         opaque_->remove();
         opaque_.reset();
@@ -87,8 +118,8 @@ void Renderer::update_lights(const scene::Scene& scene, const std::vector<std::s
     // A volume that scatters nothing, or in the dark, needs no light.
     const auto needs_light = [&](const std::string& name) {
         const auto& optics = *std::get<scene::Volume>(scene.nodes.at(name).content).optics;
-        return scene::scatters(optics.lighting) && (optics.albedo != glm::dvec3(0.0) || optics.surfaces) &&
-               !shining.empty();
+        return !is_path_traced(scene) && scene::scatters(optics.lighting) &&
+               (optics.albedo != glm::dvec3(0.0) || optics.surfaces) && !shining.empty();
     };
     std::erase_if(lights_, [&](const auto& entry) {
         return std::find(shown.begin(), shown.end(), entry.first) == shown.end() || !needs_light(entry.first);
@@ -119,29 +150,59 @@ const RunReport& Renderer::render(const scene::Scene& scene, const View& view, b
             return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
         };
     }
-    return graph_.run({march_.picture.index}, stopwatch);
+    return graph_.run({wanted_picture()}, stopwatch);
 }
 
 const Picture& Renderer::picture() const {
-    return *graph_.product(march_.picture);
+    return path_traced_ ? graph_.product(path_trace_.paths)->picture : *graph_.product(march_.picture);
 }
 
 Image Renderer::read_picture() const {
-    const gl::Texture& color = picture().color;
-    const glm::ivec3 size = color.size();
-    Image bottom_up(size.x, size.y);
-    color.download({GL_RGBA, GL_FLOAT}, bottom_up.rgba.size() * sizeof(float), bottom_up.rgba.data());
-    Image image(size.x, size.y);
-    for (int y = 0; y < size.y; ++y) {
-        std::copy_n(bottom_up.pixel(0, size.y - 1 - y), std::size_t(4) * size.x, image.pixel(0, y));
+    return read_top_down(picture().color);
+}
+
+Image Renderer::read_standard_error() const {
+    const PathTracing& paths = *graph_.product(path_trace_.paths);
+    Image error = read_top_down(paths.spread);
+    for (int y = 0; y < error.height; ++y) {
+        const double n = paths.samples + (error.height - 1 - y < paths.next_row ? 1 : 0);
+        for (int k = 0; k < 4 * error.width; ++k) {
+            float& value = error.pixel(0, y)[k];
+            value = n < 2 ? 0.0F : float(std::sqrt(double(value) / (n * (n - 1.0))));
+        }
     }
-    return image;
+    return error;
+}
+
+std::optional<int> Renderer::path_samples() const {
+    const PathTracing* const paths = graph_.product(path_trace_.paths);
+    return path_traced_ && paths != nullptr ? std::optional(paths->samples) : std::nullopt;
+}
+
+std::optional<PathStanding> Renderer::path_standing() const {
+    const std::optional<int> samples = path_samples();
+    if (!samples) {
+        return std::nullopt;
+    }
+    PathStanding standing{*samples, std::nullopt};
+    if (standing.samples >= 2) {
+        const Image error = read_standard_error();
+        double squares = 0.0;
+        for (std::size_t n = 0; n < error.rgba.size(); ++n) {
+            squares += n % 4 == 3 ? 0.0 : double(error.rgba[n]) * error.rgba[n];
+        }
+        standing.standard_error = std::sqrt(squares / (3.0 * double(error.pixel_count())));
+    }
+    return standing;
 }
 
 SampleTotals Renderer::count_samples(const scene::Scene& scene, const View& view) {
     update(scene, view);
-    graph_.run({march_.picture.index, march_.counts.index});
     SampleTotals totals;
+    if (path_traced_) {
+        return totals;  // no march, nothing to count
+    }
+    graph_.run({march_.picture.index, march_.counts.index});
     if (!volumes_.empty()) {
         const gl::Texture& counts = graph_.product(march_.counts)->counts;
         std::vector<glm::uvec2> pixels(std::size_t(view.pixels.x) * view.pixels.y);

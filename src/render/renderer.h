@@ -7,6 +7,7 @@
 #include "gl/shader_library.h"
 #include "render/frame_graph.h"
 #include "render/passes/march_pass.h"
+#include "render/passes/path_trace_pass.h"
 #include "scene/scene.h"
 
 namespace bruma::render {
@@ -18,14 +19,21 @@ struct SampleTotals {
     double samples_per_pixel = 0.0;
 };
 
+/// How far path tracing has come.
+struct PathStanding {
+    int samples = 0;  ///< paths that every pixel has
+    /// Root mean square over pixels and colours of the mean's standard error, radiance: about the picture's RMSE from
+    /// the truth. Nothing below two paths.
+    std::optional<double> standard_error;
+};
+
 /// Pictures of a scene. Keeps a frame graph between pictures, so that each one costs only what changed.
 class Renderer {
   public:
     explicit Renderer(gl::ShaderLibrary& shaders);
 
-    /// Brings the picture up to date; the scene needs a camera, its volumes their grids and its meshes
-    /// their triangles. With `measure_gpu` the
-    /// GPU is drained around each pass, so that its time is known.
+    /// Brings the picture up to date; the scene needs a camera, its volumes their grids and its meshes their triangles.
+    /// With `measure_gpu` the GPU is drained around each pass, so that its time is known.
     const RunReport& render(const scene::Scene& scene, const View& view, bool measure_gpu = false);
 
     /// The last picture, still on the GPU.
@@ -35,22 +43,33 @@ class Renderer {
     /// Counts the samples of the last view by drawing it once more; `picture` is not touched.
     SampleTotals count_samples(const scene::Scene& scene, const View& view);
 
+    /// Paths that every pixel of the last picture has; nothing when it was not path traced.
+    std::optional<int> path_samples() const;
+    /// The same with the error, which is read back from the GPU.
+    std::optional<PathStanding> path_standing() const;
+    /// Standard error of each channel of a path traced picture, top row first; 0 below two paths.
+    Image read_standard_error() const;
+
     const FrameGraph& graph() const { return graph_; }
     /// World length of a step for this scene, metres.
     static double step_world(const scene::Scene& scene);
 
   private:
     void update(const scene::Scene& scene, const View& view);
-    void update_meshes(const scene::Scene& scene, glm::ivec2 pixels);
+    void update_meshes(const scene::Scene& scene, const std::vector<std::string>& shown, glm::ivec2 pixels);
     void update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world);
+    int wanted_picture() const { return path_traced_ ? path_trace_.paths.index : march_.picture.index; }
 
     FrameGraph graph_;
     gl::ShaderLibrary& shaders_;
     MarchPass march_;
+    PathTracePass path_trace_;
+    bool path_traced_ = false;
     MarchPass::Volumes volumes_;
     MarchPass::Lights lights_;  ///< of the volumes that scatter
     OpaquePass::Meshes meshes_;
     std::unique_ptr<OpaquePass> opaque_;  ///< none while no mesh is shown
+    bool said_no_meshes_ = false;
 };
 
 }  // namespace bruma::render

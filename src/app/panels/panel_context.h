@@ -24,8 +24,10 @@ struct ViewerFacts {
     render::View view;   ///< of the last picture
     glm::ivec2 area{0};  ///< pixels that the picture fills
     bool refined = false;
-    double last_ms = 0.0;    ///< of the last picture
-    double moving_ms = 0.0;  ///< of the last one while something moved
+    std::optional<render::PathStanding> paths;  ///< of a path traced picture
+    int path_samples = 0;                       ///< how many paths per pixel it is to have
+    double last_ms = 0.0;                       ///< of the last picture
+    double moving_ms = 0.0;                     ///< of the last one while something moved
     int frames = 0, renders = 0;
     render::RunReport passes;
     std::optional<render::SampleTotals> samples;  ///< when someone asked

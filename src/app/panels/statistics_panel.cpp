@@ -39,6 +39,13 @@ void show_passes(const render::RunReport& passes) {
 }  // namespace
 
 std::string quality_words(const ViewerFacts& facts) {
+    if (facts.paths && facts.view.pixels == facts.area) {
+        std::string words = fmt::format("{} of {} paths", facts.paths->samples, facts.path_samples);
+        if (facts.paths->standard_error) {
+            words += fmt::format(", error {:.2g}", *facts.paths->standard_error);
+        }
+        return words;
+    }
     if (facts.refined) {
         return "refined";
     }

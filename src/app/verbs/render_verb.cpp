@@ -26,6 +26,7 @@ struct RenderArguments {
     std::string graph;
     bool explain = false;
     int repeats = 5;
+    render::PathGoal paths;
 };
 
 /// Refuses a picture that would not fit before anything is loaded.
@@ -60,7 +61,7 @@ int render(const RenderArguments& arguments, const std::vector<std::string>& com
     gl::ShaderLibrary shaders(installed_folder("shaders"));
     render::Renderer renderer(shaders);
     render::Presenter presenter(shaders);
-    const render::View view{pixels, 1.0};
+    const render::View view{pixels, 1.0, arguments.paths};
     const render::RunReport& report = renderer.render(scene, view, arguments.explain);
 
     if (format == io::PictureFormat::png) {
@@ -94,6 +95,11 @@ Verb declare_render(CLI::App& app, const std::vector<std::string>& command_line)
     app.add_option("--context", arguments->context, "auto, egl or osmesa");
     app.add_option("--stats", arguments->stats, "JSON file: what each pass did, samples, time beside brute force");
     app.add_option("--repeats", arguments->repeats, "how often --stats draws each frame")->check(CLI::Range(1, 1000));
+    app.add_option("--samples", arguments->paths.samples, "path_traced lighting: paths for each pixel")
+        ->check(CLI::Range(1, 1 << 20));
+    app.add_option("--scatterings", arguments->paths.scatterings,
+                   "path_traced lighting: leave out light that was scattered more often; 1 is single scattering")
+        ->check(CLI::Range(0, render::PathGoal::all));
     app.add_option("--graph", arguments->graph, "Graphviz file: the frame graph as a drawing");
     app.add_flag("--explain", arguments->explain, "print what each pass did, for how long, and why");
     return [arguments, command_line] { return render(*arguments, command_line); };

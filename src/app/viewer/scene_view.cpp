@@ -19,8 +19,9 @@ bool SceneView::update(const scene::Scene& scene, glm::ivec2 area, double now, b
         shader_revision_ = shaders_.revision();
         area_ = area;
         changed_at_ = now;
-        const render::View view = quality_.moving(area);
-        refined_ = view == QualityController::refined(area);
+        render::View view = quality_.moving(area);
+        refined_ = view == QualityController::refined(area) && !render::is_path_traced(scene);
+        view.paths.samples = 1;
         if (!render(scene, view)) {
             return false;
         }
@@ -28,10 +29,34 @@ bool SceneView::update(const scene::Scene& scene, glm::ivec2 area, double now, b
         return true;
     }
     if (!refined_ && now - changed_at_ >= rest_s && !waits_for_hand()) {
-        refined_ = true;
-        return render(scene, QualityController::refined(area));
+        return refine(scene);
     }
     return false;
+}
+
+bool SceneView::refine(const scene::Scene& scene) {
+    render::View view = QualityController::refined(area_);
+    view.paths.samples = path_samples_;
+    view.paths.budget_ms = path_budget_ms;
+    refined_ = true;
+    const bool rendered = render(scene, view);
+    refined_ = !path_standing_ || path_standing_->samples >= path_samples_ || !rendered;
+    return rendered;
+}
+
+void SceneView::look_at_paths() {
+    const std::optional<int> samples = renderer_.path_samples();
+    if (!samples) {
+        path_standing_.reset();
+        return;
+    }
+    // The error is read back from the GPU, so not at every turn.
+    if (!path_standing_ || *samples < error_seen_at_ || *samples >= error_seen_at_ + error_seen_at_ / 4 + 1 ||
+        *samples >= path_samples_) {
+        path_standing_ = renderer_.path_standing();
+        error_seen_at_ = *samples;
+    }
+    path_standing_->samples = *samples;
 }
 
 bool SceneView::render(const scene::Scene& scene, const render::View& view) {
@@ -59,12 +84,15 @@ bool SceneView::render(const scene::Scene& scene, const render::View& view) {
         if (!pass.ran) {
             continue;
         }
-        march_ms = pass.name == "march" ? pass.gpu_ms : march_ms;
+        march_ms = pass.name == "march" || pass.name == "path trace" ? pass.gpu_ms : march_ms;
         if (std::find(passes_run_.begin(), passes_run_.end(), pass.name) == passes_run_.end()) {
             passes_run_.push_back(pass.name);
         }
     }
-    quality_.measured(view, march_ms, last_ms_ - march_ms);
+    look_at_paths();
+    if (!path_standing_ || view.paths.samples == 1) {
+        quality_.measured(view, march_ms, last_ms_ - march_ms);
+    }
     view_ = view;
     has_picture_ = true;
     ++renders_;
@@ -88,7 +116,9 @@ std::optional<double> SceneView::refine_at() const {
 }
 
 io::Picture8 SceneView::refined_picture(const scene::Scene& scene, glm::ivec2 area) {
-    render(scene, QualityController::refined(area));
+    render::View view = QualityController::refined(area);
+    view.paths.samples = path_samples_;
+    render(scene, view);
     if (!fault_.empty()) {
         throw InputError(fault_);
     }

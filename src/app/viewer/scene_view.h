@@ -13,12 +13,14 @@
 namespace bruma::app {
 
 /// The picture of the scene in the window: drawn coarsely while the scene changes, refined once it has been at rest for
-/// `rest_s`, and not drawn again until something changes.
+/// `rest_s`, and not drawn again until something changes. A path traced picture gets more paths until it has
+/// `path_samples` for each pixel.
 class SceneView {
   public:
     static constexpr double rest_s = 0.15;
 
-    explicit SceneView(gl::ShaderLibrary& shaders) : shaders_(shaders), renderer_(shaders), presenter_(shaders) {}
+    SceneView(gl::ShaderLibrary& shaders, int path_samples)
+        : shaders_(shaders), renderer_(shaders), presenter_(shaders), path_samples_(path_samples) {}
 
     /// Brings the picture up to date for `area` pixels; `now` in seconds. While a hand is down, a refinement that would
     /// make it wait waits itself. Returns whether it rendered.
@@ -32,6 +34,9 @@ class SceneView {
     const render::View& view() const { return view_; }
     /// The refined picture as the display has it.
     io::Picture8 refined_picture(const scene::Scene& scene, glm::ivec2 area);
+    int path_samples() const { return path_samples_; }
+    /// Of a path traced picture; the error as it was when last looked at, within a quarter of the paths.
+    const std::optional<render::PathStanding>& path_standing() const { return path_standing_; }
     render::SampleTotals count_samples(const scene::Scene& scene);
 
     /// The sentence of why the last rendering failed; empty when it did not. The picture before it stays.
@@ -45,8 +50,11 @@ class SceneView {
 
   private:
     static constexpr double longest_hiccup_ms = 250.0;
+    static constexpr double path_budget_ms = 50.0;  ///< between two frames of the window
     bool waits_for_hand() const;
     bool render(const scene::Scene& scene, const render::View& view);
+    bool refine(const scene::Scene& scene);
+    void look_at_paths();
 
     gl::ShaderLibrary& shaders_;
     render::Renderer renderer_;
@@ -63,6 +71,9 @@ class SceneView {
     double last_ms_ = 0.0, moving_ms_ = 0.0;
     int renders_ = 0;
     std::vector<std::string> passes_run_;
+    int path_samples_;
+    std::optional<render::PathStanding> path_standing_;
+    int error_seen_at_ = 0;  ///< paths
 };
 
 }  // namespace bruma::app

@@ -15,7 +15,7 @@
 namespace bruma::app {
 
 Workbench::Workbench(const ViewRequest& request, gl::ShaderLibrary& shaders, std::function<void()> wake)
-    : request_(request), shaders_(shaders), wake_(std::move(wake)), view_(shaders) {
+    : request_(request), shaders_(shaders), wake_(std::move(wake)), view_(shaders, request.samples) {
     facts_.driver = context::driver_info();
     for (const std::filesystem::path& folder : preset_folders()) {
         const std::vector<io::Preset> found = io::list_presets(folder);
@@ -52,6 +52,8 @@ void Workbench::frame(glm::ivec2 pixels, double now) {
     facts_.view = view_.view();
     facts_.area = area_;
     facts_.refined = view_.is_refined();
+    facts_.paths = view_.path_standing();
+    facts_.path_samples = view_.path_samples();
     facts_.last_ms = view_.last_ms();
     facts_.moving_ms = view_.moving_ms();
     facts_.frames = frames_;

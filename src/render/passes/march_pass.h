@@ -25,10 +25,20 @@ struct SampleCounts {
     gl::Framebuffer framebuffer;
 };
 
+/// How far path tracing is to go; nothing else looks at it.
+struct PathGoal {
+    static constexpr int all = 1 << 30;
+    int samples = 64;        ///< paths per pixel
+    int scatterings = all;   ///< light that was scattered more often is left out; 1: single scattering
+    double budget_ms = 0.0;  ///< a picture stops short of its samples once it took this long; 0: never
+    bool operator==(const PathGoal&) const = default;
+};
+
 /// Where a picture is drawn and how coarsely; a viewer lowers both while something moves.
 struct View {
     glm::ivec2 pixels{0};
     double step_scale = 1.0;  ///< multiplies the step of the scene's settings
+    PathGoal paths{};
     bool operator==(const View&) const = default;
 };
 

@@ -35,6 +35,7 @@ class VolumePasses {
     Handle<TableTextures> tables;
     Handle<EmptinessTexture> emptiness;
     Handle<scene::TransferFunction> transfer_function;
+    Handle<CellRanges> cell_ranges() const { return ranges_; }
 
   private:
     FrameGraph& graph_;
