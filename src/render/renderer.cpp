@@ -95,7 +95,7 @@ void Renderer::update_meshes(const scene::Scene& scene, const std::vector<std::s
         return;
     }
     if (!opaque_) {
-        opaque_ = std::make_unique<OpaquePass>(graph_, shaders_, march_.camera, march_.shader_revision);
+        opaque_ = std::make_unique<OpaquePass>(graph_, shaders_);
     }
     for (const std::string& name : shown) {
         auto& passes = meshes_[name];

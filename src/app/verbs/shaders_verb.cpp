@@ -15,13 +15,12 @@ namespace {
 
 /// Every combination of the switches that the passes use.
 std::vector<gl::Defines> variants_of(const std::string& file) {
-<<<<<<< HEAD
     if (file == "background.frag") {
         return {{}, {{"OPAQUE", ""}}};
     }
     if (file == "mesh.frag") {
         return {{{"DIRECTIONAL_LIGHTS", "1"}, {"POINT_LIGHTS", "1"}}};
-=======
+    }
     if (file == "path_trace.comp") {
         std::vector<gl::Defines> variants;
         for (const char* const lights : {"0", "2", "5"}) {
@@ -29,7 +28,6 @@ std::vector<gl::Defines> variants_of(const std::string& file) {
             variants.push_back({{"VOLUMES", "2"}, {"LIGHTS", lights}, {"GLOW", ""}});
         }
         return variants;
->>>>>>> main
     }
     if (file != "volume_march.frag") {
         return {{}};

@@ -49,9 +49,9 @@ void set_surface(gl::Program& program, int index, const scene::VolumeOptics& opt
 }  // namespace
 
 MarchPass::MarchPass(FrameGraph& graph, gl::ShaderLibrary& shaders) : graph_(graph), shaders_(shaders) {
-    camera = graph.add_source<scene::Camera>("camera");
+    camera_ = graph.add_source<scene::Camera>("camera");
     background_ = graph.add_source<scene::Background>("background");
-    shader_revision = graph.add_source<int>("shaders");
+    shader_revision_ = graph.add_source<int>("shaders");
     picture = graph.add_product<Picture>("picture");
     counts = graph.add_product<SampleCounts>("sample counts");
     march_ = graph.add_pass({"march",
@@ -64,14 +64,14 @@ MarchPass::MarchPass(FrameGraph& graph, gl::ShaderLibrary& shaders) : graph_(gra
 
 void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights,
                        Handle<OpaquePicture> opaque, const View& view, double step_world) {
-    graph_.set_source(camera, **scene.camera, scene.camera->revision());
+    graph_.set_source(camera_, **scene.camera, scene.camera->revision());
     graph_.set_source(background_, *scene.background, scene.background.revision());
-    graph_.set_source(shader_revision, 0, shaders_.revision());
+    graph_.set_source(shader_revision_, 0, shaders_.revision());
 
     const double skipped = skipped_distance(**scene.camera, scene::world_bounds(scene));
     Parameters parameters{view, *scene.rendering, step_world * view.step_scale, skipped, opaque, {}, {}, false};
     const std::vector<std::string> shining = order_lights(scene);
-    std::vector<int> reads{camera.index, background_.index, shader_revision.index};
+    std::vector<int> reads{camera_.index, background_.index, shader_revision_.index};
     if (opaque.index >= 0) {
         reads.push_back(opaque.index);
     }
@@ -304,7 +304,7 @@ void MarchPass::draw(const PassAccess& access, const Parameters& parameters, boo
         access.write(picture).framebuffer.bind();
     }
     gl::Program& shader = program(access, parameters, counting);
-    const scene::Camera camera = started_nearer(access.read(this->camera), parameters.skipped_distance);
+    const scene::Camera camera = started_nearer(access.read(camera_), parameters.skipped_distance);
     const scene::Background& background = access.read(background_);
     const double h = parameters.step_world;
     GLuint unit = 0;
@@ -357,7 +357,8 @@ void MarchPass::draw(const PassAccess& access, const Parameters& parameters, boo
     glBindVertexArray(no_vertices_.name());
     shader.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    access.note(fmt::format("{} x {} pixels, step {:.3g} mm", pixels.x, pixels.y, 1e3 * h));
+    access.note(fmt::format("{} x {} pixels", pixels.x, pixels.y) +
+                (parameters.volumes.empty() ? "" : fmt::format(", step {:.3g} mm", 1e3 * h)));
 }
 
 }  // namespace bruma::render

@@ -54,8 +54,6 @@ class MarchPass {
     void update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights, Handle<OpaquePicture> opaque,
                 const View& view, double step_world);
 
-    Handle<scene::Camera> camera;
-    Handle<int> shader_revision;
     Handle<Picture> picture;
     Handle<SampleCounts> counts;
 
@@ -99,7 +97,9 @@ class MarchPass {
     gl::ShaderLibrary& shaders_;
     gl::VertexArray no_vertices_{"no vertices"};
     gl::Texture blue_noise_;
+    Handle<scene::Camera> camera_;
     Handle<scene::Background> background_;
+    Handle<int> shader_revision_;
     PassId march_, count_;
 };
 

@@ -94,14 +94,22 @@ struct OpaquePass::Stand {
     double near_plane = 0.0, far_plane = 1.0;  ///< along the view axis, units
 };
 
-OpaquePass::OpaquePass(FrameGraph& graph, gl::ShaderLibrary& shaders, Handle<scene::Camera> camera,
-                       Handle<int> shader_revision)
-    : graph_(graph), shaders_(shaders), camera_(camera), shader_revision_(shader_revision) {
+OpaquePass::OpaquePass(FrameGraph& graph, gl::ShaderLibrary& shaders) : graph_(graph), shaders_(shaders) {
+    camera_ = graph.add_source<scene::Camera>("camera");
+    shader_revision_ = graph.add_source<int>("shaders");
     picture = graph.add_product<OpaquePicture>("opaque picture");
     pass_ = graph.add_pass({"opaque", "the nearest surface of all meshes under the lights", {}, {picture.index}, {}});
 }
 
+void OpaquePass::remove() {
+    graph_.remove_pass(pass_);
+    graph_.remove_source(camera_.index);
+    graph_.remove_source(shader_revision_.index);
+}
+
 void OpaquePass::update(const scene::Scene& scene, const Meshes& meshes, glm::ivec2 pixels) {
+    graph_.set_source(camera_, **scene.camera, scene.camera->revision());
+    graph_.set_source(shader_revision_, 0, shaders_.revision());
     Parameters parameters{
         pixels, skipped_distance(**scene.camera, scene::world_bounds(scene)), {}, {}, *scene.environment};
     std::vector<int> reads{camera_.index, shader_revision_.index};

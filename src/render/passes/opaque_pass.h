@@ -22,13 +22,12 @@ struct OpaquePicture {
 /// Rasterises all shown meshes.
 class OpaquePass {
   public:
-    OpaquePass(FrameGraph& graph, gl::ShaderLibrary& shaders, Handle<scene::Camera> camera,
-               Handle<int> shader_revision);
+    OpaquePass(FrameGraph& graph, gl::ShaderLibrary& shaders);
 
     using Meshes = std::map<std::string, std::unique_ptr<MeshPasses>>;
-    /// Hands the graph this frame's parameters; `meshes` are all shown ones.
+    /// Hands the graph this frame's sources and parameters; `meshes` are all shown ones.
     void update(const scene::Scene& scene, const Meshes& meshes, glm::ivec2 pixels);
-    void remove() { graph_.remove_pass(pass_); }
+    void remove();
 
     Handle<OpaquePicture> picture;
 
