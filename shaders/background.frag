@@ -1,5 +1,8 @@
 #version 450 core
-// The picture where nothing stands in the scene.
+// The picture where no volume stands in the scene. OPAQUE: there are surfaces before the background.
+#ifdef OPAQUE
+#include "include/opaque.glsl"
+#endif
 layout(location = 0) out vec4 picture;
 uniform vec2 pixels;
 uniform vec3 background_top;
@@ -7,5 +10,10 @@ uniform vec3 background_bottom;
 
 void main()
 {
-    picture = vec4(mix(background_bottom, background_top, gl_FragCoord.y / pixels.y), 0.0);
+    vec3 background = mix(background_bottom, background_top, gl_FragCoord.y / pixels.y);
+#ifdef OPAQUE
+    picture = opaque_over(background);
+#else
+    picture = vec4(background, 0.0);
+#endif
 }

@@ -2,6 +2,7 @@
 // Emission and absorption of measured volumes along each pixel's ray, over the background.
 // VOLUMES: how many. LIT: lights matter; REFLECT: for surfaces (gradient shading), SCATTER: for scattering media, SURFACES:
 // for media that are also shaded as surfaces. GLOW: some volume shines by itself.
+// OPAQUE: rays end at surfaces.
 // SAMPLE_AT_MIDPOINTS, LEAP, STOP_EARLY, COUNT: see include/march.glsl.
 
 #include "include/random.glsl"
@@ -9,15 +10,16 @@
 #include "include/ray_box.glsl"
 #include "include/volume.glsl"
 #include "include/march.glsl"
+#include "include/view_ray.glsl"
+#ifdef OPAQUE
+#include "include/opaque.glsl"
+#endif
 
 layout(location = 0) out vec4 picture;  // linear radiance; alpha = 1 - transmittance
 #ifdef COUNT
 layout(location = 1) out uvec2 counts;  // samples, queries of emptiness
 #endif
 
-uniform vec2 pixels;                     // size of the picture
-uniform int orthographic;
-uniform vec2 half_view;                  // perspective: tangents; orthographic: half sizes in steps
 uniform float near_steps;                // distance of the near plane along the view axis
 // The camera's axes in texture space of each volume, per step; [3] is the eye.
 uniform mat4 texture_from_camera[VOLUMES];
@@ -45,13 +47,13 @@ float first_segment_length()
 
 void main()
 {
-    vec2 ndc = gl_FragCoord.xy / pixels * 2.0 - 1.0;
-    vec2 across = ndc * half_view;
-    // In camera axes (right, up, back): where the ray starts and its direction, both in steps.
-    vec3 start = orthographic != 0 ? vec3(across, 0.0) : vec3(0.0);
-    vec3 toward = orthographic != 0 ? vec3(0.0, 0.0, -1.0) : vec3(across, -1.0);
-    float stretch = length(toward);
-    vec3 direction = toward / stretch;
+    ViewRay ray = view_ray();  // in steps
+    vec3 start = ray.start;
+    float stretch = length(ray.toward);
+    vec3 direction = ray.toward / stretch;
+#ifdef OPAQUE
+    float t_surface = opaque_steps();
+#endif
 
     March m = March(1e30, -1e30, first_segment_length(), stop_transmittance);
     for (int v = 0; v < VOLUMES; ++v) {
@@ -64,6 +66,9 @@ void main()
         vec2 stretch_of_ray = ray_box(volume.origin, volume.direction, volume.low, volume.high);
         ray_enter[v] = max(stretch_of_ray.x, near_steps * stretch);
         ray_leave[v] = stretch_of_ray.y;
+#ifdef OPAQUE
+        ray_leave[v] = min(ray_leave[v], t_surface);
+#endif
         if (ray_leave[v] > ray_enter[v]) {
             m.t_in = min(m.t_in, ray_enter[v]);
             m.t_out = max(m.t_out, ray_leave[v]);
@@ -75,15 +80,21 @@ void main()
     medium_begin();
 #endif
     vec3 background = mix(background_bottom, background_top, gl_FragCoord.y / pixels.y);
+#ifdef OPAQUE
+    vec4 behind = opaque_over(background);
+#else
+    vec4 behind = vec4(background, 0.0);
+#endif
     if (!(m.t_out > m.t_in)) {
-        picture = vec4(background, 0.0);
+        picture = behind;
 #ifdef COUNT
         counts = uvec2(0u);
 #endif
         return;
     }
     Marched marched = march(m);
-    picture = vec4(marched.radiance + marched.transmittance * background, 1.0 - marched.transmittance);
+    picture = vec4(marched.radiance + marched.transmittance * behind.xyz,
+                   1.0 - marched.transmittance * (1.0 - behind.w));
 #ifdef COUNT
     counts = uvec2(marched.samples, marched.queries);
 #endif

@@ -25,6 +25,14 @@ double largest_radiance(const scene::Scene& scene) {
     for (const auto& [name, lamp] : scene.lights) {
         light += scene::shines(*lamp) ? lamp->intensity * largest(lamp->color) / std::numbers::pi : 0.0;
     }
+    for (const std::string& name : scene::shown_meshes(scene)) {
+        const auto& mesh = std::get<scene::Mesh>(scene.nodes.at(name).content);
+        for (std::size_t n = 0; n < (*mesh.triangles)->materials.size(); ++n) {
+            const scene::MeshMaterial shown = scene::shown_material(**mesh.triangles, *mesh.surface, n);
+            most = std::max(most, largest(shown.diffuse) * (light + largest(scene.environment->radiance)) +
+                                      largest(shown.specular) * light);
+        }
+    }
     for (const std::string& name : scene::shown_volumes(scene)) {
         const auto& volume = std::get<scene::Volume>(scene.nodes.at(name).content);
         const bool lit = volume.optics->lighting != scene::VolumeLighting::none;

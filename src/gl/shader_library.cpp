@@ -8,8 +8,11 @@
 namespace bruma::gl {
 
 Program ShaderLibrary::build(const Key& key) const {
-    return key.file.ends_with(".comp") ? Program(root_, {key.file}, key.defines)
-                                       : Program(root_, {key.file, "full_screen.vert"}, key.defines);
+    if (key.file.ends_with(".comp")) {
+        return {root_, {key.file}, key.defines};
+    }
+    const std::filesystem::path own = std::filesystem::path(key.file).replace_extension(".vert");
+    return {root_, {key.file, std::filesystem::exists(root_ / own) ? own.string() : "full_screen.vert"}, key.defines};
 }
 
 Program& ShaderLibrary::get(const std::string& file, const Defines& defines) {

@@ -14,7 +14,8 @@ class ShaderLibrary {
   public:
     explicit ShaderLibrary(std::filesystem::path root) : root_(std::move(root)) {}
 
-    /// The program of a compute shader (.comp), or of a full-screen pass (.frag, with `full_screen.vert`).
+    /// The program of a compute shader (.comp), or of a fragment shader (.frag) with the vertex shader of its name, or
+    /// with `full_screen.vert` where there is none.
     Program& get(const std::string& file, const Defines& defines = {});
 
     /// Looks at the files' times; after a save recompiles what was compiled. Returns whether programs changed. When a

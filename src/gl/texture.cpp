@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
+#include <bit>
 
 #include "base/error.h"
 
@@ -17,7 +19,7 @@ GLuint create(GLenum target) {
 
 }  // namespace
 
-Texture::Texture(GLenum target, std::string_view label, GLenum format, glm::ivec3 size)
+Texture::Texture(GLenum target, std::string_view label, GLenum format, glm::ivec3 size, int levels)
     : Object(create(target), label), target_(target), format_(format), size_(size) {
     while (glGetError() != GL_NO_ERROR) {
     }
@@ -26,7 +28,7 @@ Texture::Texture(GLenum target, std::string_view label, GLenum format, glm::ivec
             glTextureStorage1D(name(), 1, format, size.x);
             break;
         case GL_TEXTURE_2D:
-            glTextureStorage2D(name(), 1, format, size.x, size.y);
+            glTextureStorage2D(name(), levels, format, size.x, size.y);
             break;
         default:
             glTextureStorage3D(name(), 1, format, size.x, size.y, size.z);
@@ -53,6 +55,9 @@ Texture Texture::make_1d(std::string_view label, GLenum format, int width) {
 }
 Texture Texture::make_2d(std::string_view label, GLenum format, glm::ivec2 size) {
     return {GL_TEXTURE_2D, label, format, {size, 1}};
+}
+Texture Texture::make_2d_with_levels(std::string_view label, GLenum format, glm::ivec2 size) {
+    return {GL_TEXTURE_2D, label, format, {size, 1}, int(std::bit_width(unsigned(std::max(size.x, size.y))))};
 }
 Texture Texture::make_3d(std::string_view label, GLenum format, glm::ivec3 size) {
     return {GL_TEXTURE_3D, label, format, size};
@@ -94,7 +99,13 @@ void Texture::set_repeat() {
     }
 }
 
-Framebuffer::Framebuffer(std::string_view label, std::initializer_list<const Texture*> colors) : Object(label) {
+void Texture::make_smaller_levels() {
+    glGenerateTextureMipmap(name());
+    glTextureParameteri(name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+}
+
+Framebuffer::Framebuffer(std::string_view label, std::initializer_list<const Texture*> colors, const Texture* depth)
+    : Object(label) {
     std::array<GLenum, 8> buffers{};
     GLenum count = 0;
     for (const Texture* texture : colors) {
@@ -102,6 +113,9 @@ Framebuffer::Framebuffer(std::string_view label, std::initializer_list<const Tex
         glNamedFramebufferTexture(name(), GL_COLOR_ATTACHMENT0 + count, texture->name(), 0);
         buffers[count] = GL_COLOR_ATTACHMENT0 + count;
         ++count;
+    }
+    if (depth != nullptr) {
+        glNamedFramebufferTexture(name(), GL_DEPTH_ATTACHMENT, depth->name(), 0);
     }
     glNamedFramebufferDrawBuffers(name(), GLsizei(count), buffers.data());
     if (glCheckNamedFramebufferStatus(name(), GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {

@@ -11,12 +11,15 @@ struct PixelFormat {
     GLenum type;      ///< GL_FLOAT, GL_UNSIGNED_BYTE, ...
 };
 
-/// A texture of immutable storage with one mip level. Sampling is linear with clamped edges until set otherwise.
+/// A texture of immutable storage with one mip level unless said otherwise. Sampling is linear with clamped edges until
+/// set otherwise.
 class Texture : public Object<TextureTraits> {
   public:
     Texture() = default;
     static Texture make_1d(std::string_view label, GLenum format, int width);
     static Texture make_2d(std::string_view label, GLenum format, glm::ivec2 size);
+    /// With all mip levels, which `make_smaller_levels` fills from the first.
+    static Texture make_2d_with_levels(std::string_view label, GLenum format, glm::ivec2 size);
     static Texture make_3d(std::string_view label, GLenum format, glm::ivec3 size);
 
     glm::ivec3 size() const { return size_; }
@@ -29,20 +32,22 @@ class Texture : public Object<TextureTraits> {
 
     void set_nearest();
     void set_repeat();
+    /// Fills all levels below the first and samples between them.
+    void make_smaller_levels();
     void bind(GLuint unit) const { glBindTextureUnit(unit, name()); }
 
   private:
-    Texture(GLenum target, std::string_view label, GLenum format, glm::ivec3 size);
+    Texture(GLenum target, std::string_view label, GLenum format, glm::ivec3 size, int levels = 1);
     GLenum target_ = 0;
     GLenum format_ = 0;
     glm::ivec3 size_{0};
 };
 
-/// A framebuffer that draws into textures, attached at construction.
+/// A framebuffer that draws into textures, attached at construction; `depth` may be null.
 class Framebuffer : public Object<FramebufferTraits> {
   public:
     Framebuffer() = default;
-    Framebuffer(std::string_view label, std::initializer_list<const Texture*> colors);
+    Framebuffer(std::string_view label, std::initializer_list<const Texture*> colors, const Texture* depth = nullptr);
     glm::ivec2 size() const { return size_; }
     /// Binds for drawing and sets the viewport to all of it.
     void bind() const;

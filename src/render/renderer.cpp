@@ -4,6 +4,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/log.h"
+
+#include "render/view_rays.h"
+
 namespace bruma::render {
 namespace {
 
@@ -63,17 +67,51 @@ void Renderer::update(const scene::Scene& scene, const View& view) {
         passes->update(std::get<scene::Volume>(scene.nodes.at(name).content), *scene.rendering, step);
     }
     path_traced_ = is_path_traced(scene);
+    update_meshes(scene, path_traced_ ? std::vector<std::string>{} : scene::shown_meshes(scene), view.pixels);
     if (path_traced_) {
+        if (!said_no_meshes_ && !scene::shown_meshes(scene).empty()) {
+            said_no_meshes_ = true;
+            log_warning("path_traced lighting: paths do not meet meshes yet, so they are left out of the picture");
+        }
         path_trace_.update(scene, volumes_, view);
     } else {
         path_trace_.forget_all();
-        march_.update(scene, volumes_, lights_, {view.pixels, view.step_scale}, step);
+        march_.update(scene, volumes_, lights_, opaque_ ? opaque_->picture : Handle<OpaquePicture>{},
+                      {view.pixels, view.step_scale}, step);
     }
+}
+
+void Renderer::update_meshes(const scene::Scene& scene, const std::vector<std::string>& shown, glm::ivec2 pixels) {
+    if (shown.empty() && opaque_) {
+        opaque_->remove();
+        opaque_.reset();
+    }
+    std::erase_if(meshes_, [&](const auto& entry) {
+        const bool gone = std::find(shown.begin(), shown.end(), entry.first) == shown.end();
+        if (gone) {
+            entry.second->remove();
+        }
+        return gone;
+    });
+    if (shown.empty()) {
+        return;
+    }
+    if (!opaque_) {
+        opaque_ = std::make_unique<OpaquePass>(graph_, shaders_);
+    }
+    for (const std::string& name : shown) {
+        auto& passes = meshes_[name];
+        if (!passes) {
+            passes = std::make_unique<MeshPasses>(graph_, name);
+        }
+        passes->update(std::get<scene::Mesh>(scene.nodes.at(name).content));
+    }
+    opaque_->update(scene, meshes_, pixels);
 }
 
 void Renderer::update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world) {
     std::vector<std::pair<std::string, scene::Light>> shining;
-    for (const std::string& name : MarchPass::order_lights(scene)) {
+    for (const std::string& name : order_lights(scene)) {
         shining.emplace_back(name, *scene.lights.at(name));
     }
     const glm::dvec3 back = scene::camera_frame(**scene.camera).back_world;

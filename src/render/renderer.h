@@ -32,8 +32,8 @@ class Renderer {
   public:
     explicit Renderer(gl::ShaderLibrary& shaders);
 
-    /// Brings the picture up to date; the scene needs a camera, and its volumes their grids. With `measure_gpu` the
-    /// GPU is drained around each pass, so that its time is known.
+    /// Brings the picture up to date; the scene needs a camera, its volumes their grids and its meshes their triangles.
+    /// With `measure_gpu` the GPU is drained around each pass, so that its time is known.
     const RunReport& render(const scene::Scene& scene, const View& view, bool measure_gpu = false);
 
     /// The last picture, still on the GPU.
@@ -56,6 +56,7 @@ class Renderer {
 
   private:
     void update(const scene::Scene& scene, const View& view);
+    void update_meshes(const scene::Scene& scene, const std::vector<std::string>& shown, glm::ivec2 pixels);
     void update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world);
     int wanted_picture() const { return path_traced_ ? path_trace_.paths.index : march_.picture.index; }
 
@@ -66,6 +67,9 @@ class Renderer {
     bool path_traced_ = false;
     MarchPass::Volumes volumes_;
     MarchPass::Lights lights_;  ///< of the volumes that scatter
+    OpaquePass::Meshes meshes_;
+    std::unique_ptr<OpaquePass> opaque_;  ///< none while no mesh is shown
+    bool said_no_meshes_ = false;
 };
 
 }  // namespace bruma::render

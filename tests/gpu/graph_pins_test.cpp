@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "base/installation.h"
-#include "drawing.h"
+#include "opaque_mesh.h"
 #include "scene/builtin.h"
 
 namespace bruma::render {
@@ -157,6 +157,37 @@ TEST_F(GraphPins, OtherVolumesAreLeftAlone) {
     const Names back = reruns();
     EXPECT_EQ(std::count_if(back.begin(), back.end(), [](const std::string& n) { return n.starts_with("volume:"); }),
               0);
+}
+
+TEST_F(GraphPins, AMeshAddsOnePassThatTheCameraReruns) {
+    reruns();
+    for (const std::string& name : own_shaders->compiled_names()) {
+        EXPECT_EQ(name.find("mesh"), std::string::npos) << name;
+        EXPECT_EQ(name.find("OPAQUE"), std::string::npos) << name;
+    }
+    EXPECT_EQ(reason("opaque"), "not in the report") << "without meshes there is no such pass";
+    add_mesh(scene, "quad", quad_mesh(0.01F), glm::dvec3(0.5));
+    EXPECT_EQ(reruns(), (Names{"march", "opaque", "quad: upload"}));
+    EXPECT_EQ(reason("quad: upload textures"), "nothing needs it");
+    EXPECT_EQ(reruns(), Names{});
+    scene.camera->edit([](scene::Camera& camera) { camera.eye_world.x += 0.01; });
+    EXPECT_EQ(reruns(), (Names{"march", "opaque"}));
+    auto& mesh = std::get<scene::Mesh>(scene.nodes.at("quad").content);
+    mesh.surface.edit([](scene::MeshSurface& surface) { surface.diffuse_color.x = 0.1; });
+    EXPECT_EQ(reruns(), (Names{"march", "opaque"}));
+    mesh.surface.edit([](scene::MeshSurface& surface) { surface.material = scene::Material::ketchup; });
+    EXPECT_EQ(reruns(), Names{}) << "what is inside does not show";
+    scene.nodes.at("quad").transform.edit([](scene::Transform& t) { t.translation.x = 0.003; });
+    EXPECT_EQ(reruns(), (Names{"march", "opaque"}));
+    scene.lights["key"] = scene::Light{};
+    EXPECT_EQ(reruns(), (Names{"march", "opaque"}));
+    edit_transfer_function();
+    EXPECT_EQ(reruns(), (Names{"march", "volume: occupancy", "volume: tables"})) << "meshes stand as they stood";
+    mesh.triangles.set(quad_mesh(0.02F));
+    EXPECT_EQ(reruns(), (Names{"march", "opaque", "quad: upload"}));
+    scene.nodes.at("quad").visible = false;
+    EXPECT_EQ(reruns(), (Names{"march"}));
+    EXPECT_EQ(reason("opaque"), "not in the report");
 }
 
 TEST_F(GraphPins, CountingLeavesThePictureAlone) {

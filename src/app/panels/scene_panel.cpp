@@ -218,7 +218,8 @@ void show_lights(PanelContext& context) {
     bool any_lit = false;
     for (const auto& [name, node] : context.scene.nodes) {
         const auto* volume = std::get_if<scene::Volume>(&node.content);
-        any_lit = any_lit || (volume != nullptr && volume->optics->lighting != scene::VolumeLighting::none);
+        any_lit = any_lit || std::holds_alternative<scene::Mesh>(node.content) ||
+                  (volume != nullptr && volume->optics->lighting != scene::VolumeLighting::none);
     }
     if (!any_lit && !context.scene.nodes.empty()) {
         ImGui::TextColored(theme::faint, "No node is lit: choose its lighting first.");

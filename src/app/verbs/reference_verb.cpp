@@ -102,6 +102,12 @@ int reference(const ReferenceArguments& arguments) {
     }
     io::require_writable(arguments.output);
     const scene::Scene scene = open_scene(arguments.scene);
+    if (const auto meshes = scene::shown_meshes(scene); !meshes.empty()) {
+        throw InputError(
+            fmt::format("nodes.{0}: is a mesh, and there is no reference for meshes yet; --set nodes.{0}.visible=false "
+                        "leaves it out",
+                        meshes.front()));
+    }
     const bool talks = ::isatty(2) != 0;
     std::function<void(double)> progress;
     if (talks) {

@@ -46,7 +46,7 @@ Variants march_variants() {
     lights.insert(lights.begin(), gl::Defines{});
     Variants variants;
     for (const gl::Defines& light : lights) {
-        for (int bits = 0; bits < 64; ++bits) {
+        for (int bits = 0; bits < 128; ++bits) {
             if ((bits & 2) && (bits & 32)) {
                 continue;  // refinement belongs to pre-integration
             }
@@ -62,6 +62,7 @@ Variants march_variants() {
             add(8, "STOP_EARLY");
             add(16, "COUNT");
             add(32, "REFINE");
+            add(64, "OPAQUE");
             variants.push_back(defines);
         }
     }
@@ -101,6 +102,12 @@ Variants light_variants(const std::string& file) {
 
 /// Every combination of the switches that the passes use.
 Variants variants_of(const std::string& file) {
+    if (file == "background.frag") {
+        return {{}, {{"OPAQUE", ""}}};
+    }
+    if (file == "mesh.frag") {
+        return {{{"DIRECTIONAL_LIGHTS", "1"}, {"POINT_LIGHTS", "1"}}};
+    }
     if (file == "path_trace.comp") {
         return path_trace_variants();
     }

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "render/blue_noise.h"
+#include "render/view_rays.h"
 
 namespace bruma::render {
 namespace {
@@ -26,62 +26,6 @@ void make_targets(SampleCounts& counts, glm::ivec2 pixels) {
         counts.counts = gl::Texture::make_2d("sample counts", GL_RG32UI, pixels);
         counts.framebuffer = gl::Framebuffer("sample counts", {&counts.picture, &counts.counts});
     }
-}
-
-/// Lights must come with the directional ones first, as `order_lights` leaves them.
-void set_lights(gl::Program& program, const std::vector<scene::Light>& lights, const scene::Camera& camera,
-                double step_world) {
-    const glm::dvec3 back = scene::camera_frame(camera).back_world;
-    for (std::size_t n = 0; n < lights.size(); ++n) {
-        const scene::Light& light = lights[n];
-        // A Lambert surface under irradiance E has radiance E / pi.
-        glm::dvec3 radiance = light.color * light.intensity / std::numbers::pi;
-        glm::dvec3 toward = light.kind == scene::LightKind::headlight ? back : light.direction_world;
-        glm::vec3 axis(0.0F);
-        glm::vec2 cone(-1.0F, 1.0F);  // a point light: full everywhere
-        if (scene::has_position(light)) {
-            radiance /= step_world * step_world;
-            toward = (light.position_world - camera.eye_world) / step_world;
-            if (light.kind == scene::LightKind::spot) {
-                const double outer = std::cos(glm::radians(light.spot_angle_deg));
-                const double inner = std::cos(glm::radians(light.spot_angle_deg * (1.0 - light.spot_softness)));
-                axis = glm::normalize(light.direction_world);
-                cone = {outer, 1.0 / std::max(inner - outer, 1e-6)};
-            }
-        } else {
-            toward = glm::normalize(toward);
-        }
-        program.set_at("lights", int(n), ".irradiance", glm::vec3(radiance));
-        program.set_at("lights", int(n), ".toward", glm::vec3(toward));
-        program.set_at("lights", int(n), ".axis", axis);
-        program.set_at("lights", int(n), ".cone", cone);
-    }
-}
-
-/// Parallel rays may start anywhere along the view: from a camera far off they start at the volumes instead, where
-/// floats still tell voxels apart. Cameras near by are left as they are.
-scene::Camera started_near(const scene::Camera& camera, const std::vector<glm::dmat4>& world_from_texture) {
-    if (camera.projection != scene::Projection::orthographic) {
-        return camera;
-    }
-    glm::dvec3 low(1e300), high(-1e300);
-    for (const glm::dmat4& m : world_from_texture) {
-        for (int corner = 0; corner < 8; ++corner) {
-            const glm::dvec3 p = m * glm::dvec4(corner & 1, (corner >> 1) & 1, (corner >> 2) & 1, 1.0);
-            low = glm::min(low, p);
-            high = glm::max(high, p);
-        }
-    }
-    const glm::dvec3 back = scene::camera_frame(camera).back_world;
-    const double distance = glm::dot(camera.eye_world - 0.5 * (low + high), back);
-    if (distance < 16.0 * glm::length(high - low)) {
-        return camera;
-    }
-    scene::Camera nearer = camera;
-    nearer.eye_world -= distance * back;
-    nearer.target_world = nearer.eye_world - back;
-    nearer.near_distance -= distance;
-    return nearer;
 }
 
 /// Whether the volume's surfaces are shaded by the gradient of its data.
@@ -110,32 +54,27 @@ MarchPass::MarchPass(FrameGraph& graph, gl::ShaderLibrary& shaders) : graph_(gra
     shader_revision_ = graph.add_source<int>("shaders");
     picture = graph.add_product<Picture>("picture");
     counts = graph.add_product<SampleCounts>("sample counts");
-    march_ = graph.add_pass(
-        {"march", "light along every pixel's ray, through all volumes, over the background", {}, {picture.index}, {}});
+    march_ = graph.add_pass({"march",
+                             "light along every pixel's ray, through all volumes, over meshes and background",
+                             {},
+                             {picture.index},
+                             {}});
     count_ = graph.add_pass({"count samples", "the same march, counting what it looks up", {}, {counts.index}, {}});
 }
 
-std::vector<std::string> MarchPass::order_lights(const scene::Scene& scene) {
-    std::vector<std::string> lights;
-    for (const bool points : {false, true}) {
-        for (const auto& [name, light] : scene.lights) {
-            if (scene::shines(*light) && scene::has_position(*light) == points) {
-                lights.push_back(name);
-            }
-        }
-    }
-    return lights;
-}
-
-void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights, const View& view,
-                       double step_world) {
+void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights,
+                       Handle<OpaquePicture> opaque, const View& view, double step_world) {
     graph_.set_source(camera_, **scene.camera, scene.camera->revision());
     graph_.set_source(background_, *scene.background, scene.background.revision());
     graph_.set_source(shader_revision_, 0, shaders_.revision());
 
-    Parameters parameters{view, *scene.rendering, step_world * view.step_scale, {}, {}, false};
+    const double skipped = skipped_distance(**scene.camera, scene::world_bounds(scene));
+    Parameters parameters{view, *scene.rendering, step_world * view.step_scale, skipped, opaque, {}, {}, false};
     const std::vector<std::string> shining = order_lights(scene);
     std::vector<int> reads{camera_.index, background_.index, shader_revision_.index};
+    if (opaque.index >= 0) {
+        reads.push_back(opaque.index);
+    }
     for (const auto& [name, passes] : volumes) {
         const auto& volume = std::get<scene::Volume>(scene.nodes.at(name).content);
         const scene::VolumeGrid& grid = **volume.grid;
@@ -187,16 +126,17 @@ void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const 
 }
 
 gl::Program& MarchPass::program(const PassAccess& access, const Parameters& parameters, bool counting) {
-    if (parameters.volumes.empty()) {
-        return shaders_.get("background.frag");
+    gl::Defines defines;
+    if (parameters.opaque.index >= 0) {
+        defines["OPAQUE"] = "";
     }
-    gl::Defines defines{{"VOLUMES", std::to_string(parameters.volumes.size())}};
+    if (parameters.volumes.empty()) {
+        return shaders_.get("background.frag", defines);
+    }
+    defines["VOLUMES"] = std::to_string(parameters.volumes.size());
     if (parameters.lit) {
         defines["LIT"] = "";
-        const auto points = std::count_if(parameters.lights.begin(), parameters.lights.end(),
-                                          [](const auto& light) { return scene::has_position(light); });
-        defines["POINT_LIGHTS"] = std::to_string(points);
-        defines["DIRECTIONAL_LIGHTS"] = std::to_string(std::ptrdiff_t(parameters.lights.size()) - points);
+        count_lights(defines, parameters.lights);
         std::int64_t near_steps = 0;
         for (const VolumeInput& input : parameters.volumes) {
             if (scene::scatters(input.optics.lighting)) {
@@ -362,26 +302,27 @@ void MarchPass::draw(const PassAccess& access, const Parameters& parameters, boo
         access.write(picture).framebuffer.bind();
     }
     gl::Program& shader = program(access, parameters, counting);
-    std::vector<glm::dmat4> boxes;
-    for (const VolumeInput& input : parameters.volumes) {
-        boxes.push_back(input.world_from_texture);
-    }
-    const scene::Camera camera = started_near(access.read(camera_), boxes);
+    const scene::Camera camera = started_nearer(access.read(camera_), parameters.skipped_distance);
     const scene::Background& background = access.read(background_);
     const double h = parameters.step_world;
+    GLuint unit = 0;
     shader.set("pixels", glm::vec2(pixels));
     shader.set("background_top", glm::vec3(background.top));
     shader.set("background_bottom", glm::vec3(background.bottom));
+    if (parameters.opaque.index >= 0) {
+        const OpaquePicture& opaque = access.read(parameters.opaque);
+        opaque.radiance.bind(unit);
+        shader.set("opaque_radiance", int(unit++));
+        opaque.distance.bind(unit);
+        shader.set("opaque_distance", int(unit++));
+        shader.set("steps_per_unit", float(opaque.unit_world / h));
+    }
     if (!parameters.volumes.empty()) {
-        const bool orthographic = camera.projection == scene::Projection::orthographic;
-        const double half_height =
-            orthographic ? 0.5 * camera.view_height / h : std::tan(glm::radians(0.5 * camera.vertical_angle_deg));
-        shader.set("orthographic", orthographic ? 1 : 0);
-        shader.set("half_view", glm::vec2(half_height * pixels.x / pixels.y, half_height));
+        shader.set("orthographic", camera.projection == scene::Projection::orthographic ? 1 : 0);
+        shader.set("half_view", glm::vec2(half_view(camera, pixels, h)));
         shader.set("near_steps", float(camera.near_distance / h));
         shader.set("stop_transmittance", float(parameters.settings.stop_transmittance));
         shader.set("jitter", int(parameters.settings.jitter));
-        GLuint unit = 0;
         if (parameters.settings.jitter == scene::Jitter::blue_noise) {
             if (!blue_noise_) {
                 constexpr int edge = 64;
@@ -414,7 +355,8 @@ void MarchPass::draw(const PassAccess& access, const Parameters& parameters, boo
     glBindVertexArray(no_vertices_.name());
     shader.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    access.note(fmt::format("{} x {} pixels, step {:.3g} mm", pixels.x, pixels.y, 1e3 * h));
+    access.note(fmt::format("{} x {} pixels", pixels.x, pixels.y) +
+                (parameters.volumes.empty() ? "" : fmt::format(", step {:.3g} mm", 1e3 * h)));
 }
 
 }  // namespace bruma::render

@@ -7,6 +7,7 @@
 
 #include "gl/shader_library.h"
 #include "render/passes/light_passes.h"
+#include "render/passes/opaque_pass.h"
 #include "render/passes/volume_passes.h"
 
 namespace bruma::render {
@@ -41,20 +42,17 @@ struct View {
     bool operator==(const View&) const = default;
 };
 
-/// The one view-dependent pass: marches all shown volumes over the background.
+/// Marches all shown volumes, up to the surfaces that the opaque pass found, over these and the background.
 class MarchPass {
   public:
     MarchPass(FrameGraph& graph, gl::ShaderLibrary& shaders);
 
-    /// Names of the lights that shine, directional ones first: the order in which light is stacked. Black ones cost
-    /// nothing.
-    static std::vector<std::string> order_lights(const scene::Scene& scene);
-
     using Volumes = std::map<std::string, std::unique_ptr<VolumePasses>>;
     using Lights = std::map<std::string, std::unique_ptr<LightPasses>>;
     /// Hands the graph this frame's sources and parameters. `lights`: of the volumes that scatter.
-    void update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights, const View& view,
-                double step_world);
+    /// `opaque`: the surfaces of all meshes; an empty handle where there are none.
+    void update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights, Handle<OpaquePicture> opaque,
+                const View& view, double step_world);
 
     Handle<Picture> picture;
     Handle<SampleCounts> counts;
@@ -81,6 +79,8 @@ class MarchPass {
         View view;
         scene::RenderSettings settings;
         double step_world = 1.0;
+        double skipped_distance = 0.0;  ///< metres, before parallel rays start
+        Handle<OpaquePicture> opaque;
         std::vector<VolumeInput> volumes;
         std::vector<scene::Light> lights;
         bool lit = false;  ///< lights matter

@@ -1,0 +1,73 @@
+#version 450 core
+// An opaque surface under the scene's lights: Lambert, with the highlight of Phong (1975) or Blinn (1977).
+#include "include/view_ray.glsl"
+#include "include/lights.glsl"
+
+in vec3 point_camera;
+in vec3 normal_world;
+in vec2 coordinate;
+layout(location = 0) out vec4 radiance;       // linear; alpha = coverage
+layout(location = 1) out float ray_distance;  // along the pixel's ray
+
+uniform mat3 world_from_camera;
+uniform vec3 ambient;      // radiance from all sides
+uniform vec3 diffuse;      // albedo
+uniform vec3 specular;
+uniform float shininess;
+uniform int highlight;     // 0 none, 1 Phong, 2 Blinn-Phong
+uniform int textured;
+uniform sampler2D diffuse_texture;
+
+// Drivers interpolate between corners that they moved onto a grid of part pixels, so the interpolated point lies on the
+// surface but a little beside the ray. The plane through it and its neighbours leads back onto the ray.
+float distance_on_ray(vec3 start, vec3 direction)
+{
+    vec3 from_start = point_camera - start;
+    float along = dot(from_start, direction);
+    vec3 beside = from_start - along * direction;
+    vec3 plane = cross(dFdx(point_camera), dFdy(point_camera));
+    float facing = dot(plane, direction);
+    float slope = dot(plane, beside) / (abs(facing) > 1e-30 ? facing : 1e30);
+    // Seen edge-on, a plane says nothing any more; a hundred times what it is beside is more than honest planes ask.
+    float most = 100.0 * length(beside);
+    return along + clamp(slope, -most, most);
+}
+
+void add_light(Incident incident, vec3 normal, vec3 toward_eye, float facing_eye, inout vec3 reflected,
+               inout vec3 mirrored)
+{
+    float cosine = dot(normal, incident.toward);
+    reflected += incident.irradiance * max(cosine, 0.0);
+    float between = dot(incident.toward, toward_eye);
+    float aligned = highlight == 2 ? (cosine + facing_eye) * inversesqrt(max(2.0 + 2.0 * between, 1e-12))
+                                   : 2.0 * cosine * facing_eye - between;
+    float shine = exp2(shininess * log2(max(aligned, 1e-20)));
+    mirrored += incident.irradiance * (min(cosine, aligned) > 0.0 ? shine : 0.0);
+}
+
+void main()
+{
+    ViewRay ray = view_ray();
+    vec3 direction = normalize(ray.toward);
+    ray_distance = distance_on_ray(ray.start, direction);
+    ray_origin_steps = world_from_camera * ray.start;
+    ray_direction_world = world_from_camera * direction;
+    vec3 toward_eye = -ray_direction_world;
+
+    // Both sides are shaded, each with the normal on the side of the eye.
+    float squared = dot(normal_world, normal_world);
+    vec3 normal = squared > 1e-30 ? normal_world * inversesqrt(squared) : toward_eye;
+    normal = gl_FrontFacing ? normal : -normal;
+    float facing_eye = dot(normal, toward_eye);
+
+    vec3 reflected = ambient;
+    vec3 mirrored = vec3(0.0);
+    for (int n = 0; n < DIRECTIONAL_LIGHTS; ++n) {
+        add_light(incident_from_afar(n), normal, toward_eye, facing_eye, reflected, mirrored);
+    }
+    for (int n = DIRECTIONAL_LIGHTS; n < light_count; ++n) {
+        add_light(incident_from_point(n, ray_distance), normal, toward_eye, facing_eye, reflected, mirrored);
+    }
+    vec3 albedo = diffuse * (textured != 0 ? texture(diffuse_texture, coordinate).xyz : vec3(1.0));
+    radiance = vec4(albedo * reflected + (highlight != 0 ? specular * mirrored : vec3(0.0)), 1.0);
+}

@@ -1,0 +1,25 @@
+#version 450 core
+// Corners of a mesh in camera axes (right, up, back), in the opaque pass's unit of length.
+layout(location = 0) in vec3 position_model;  // metres from the middle of the mesh
+layout(location = 1) in vec3 normal_model;
+layout(location = 2) in vec2 coordinate_model;
+
+uniform mat4 camera_from_model;   // units per metre
+uniform mat3 world_from_normal;
+uniform int orthographic;
+uniform vec2 half_view;
+uniform vec2 depth_of_z;          // reversed: 1 at the near plane; perspective: near plane, at infinity 0
+
+out vec3 point_camera;
+out vec3 normal_world;
+out vec2 coordinate;
+
+void main()
+{
+    point_camera = (camera_from_model * vec4(position_model, 1.0)).xyz;
+    vec3 normal = world_from_normal * normal_model;
+    normal_world = normal * inversesqrt(max(dot(normal, normal), 1e-36));
+    coordinate = vec2(coordinate_model.x, 1.0 - coordinate_model.y);  // the texture's top row comes first
+    float depth = point_camera.z * depth_of_z.x + depth_of_z.y;
+    gl_Position = vec4(point_camera.xy / half_view, depth, orthographic != 0 ? 1.0 : -point_camera.z);
+}
