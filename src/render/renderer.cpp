@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "base/log.h"
-
 #include "render/view_rays.h"
 
 namespace bruma::render {
