@@ -40,8 +40,8 @@ double Renderer::step_world(const scene::Scene& scene) {
         }
     }
     // A speck beside something large must not make a ray's steps so many that the machine stands still, or that floats
-    // no longer count them. llvmpipe ends loops after 65535 turns; across a box its diagonal is sqrt(3) edges.
-    constexpr double most_steps = 1 << 15;
+    // no longer count them.
+    constexpr double most_steps = 1 << 18;
     return smallest < 1e300 ? std::max(smallest * scene.rendering->step, longest / most_steps) : 1.0;
 }
 
