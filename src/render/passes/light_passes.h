@@ -41,7 +41,7 @@ class LightPasses {
                 const std::vector<std::pair<std::string, scene::Light>>& lights, glm::dvec3 camera_back_world,
                 double step_world);
 
-    /// The light of all lamps, in the order of `names`, stacked along z: a texture each for direct light and for what
+    /// The light of all lamps, in the order of `lights`, stacked along z: a texture each for direct light and for what
     /// is beside it. Of a single lamp, its own.
     Handle<LightTextures> stacked() const { return stacked_; }
     Handle<LightTextures> stacked_beside() const { return stacked_beside_; }  ///< index -1: nothing beside

@@ -124,7 +124,7 @@ void OpaquePass::update(const scene::Scene& scene, const Meshes& meshes, glm::iv
         }
         if (input.surface.shading == scene::MeshShading::translucent && !said_translucent_) {
             said_translucent_ = true;
-            log_warning("nodes.{}.shading: translucent surfaces are drawn as lambert ones for now", name);
+            log_warning("nodes.{}.shading: translucent is not drawn yet; this mesh is shaded as lambert", name);
         }
         input.surface.material = {};
         input.surface.custom_medium = {};
