@@ -126,7 +126,7 @@ gl::Texture trace_shadow_rays(gl::ShaderLibrary& shaders, const VolumeTexture& v
                    glm::vec2(tables.lowest_visible * scale + shift, tables.highest_visible * scale + shift));
     program.set_at("tau_scale", 0, "", float(p.tau_per_step));
     program.set_at("cells_from_texture", 0, "", glm::vec3(emptiness.voxels) / float(emptiness.edge));
-    program.set_at("cells_inverse", 0, "", 1.0F / glm::vec3(emptiness.distance.size()));
+    program.set_at("last_cell", 0, "", glm::vec3(emptiness.distance.size() - 1));
     program.set("cells", p.plan.grid.cells);
     program.set("texture_low", glm::vec3(texture_from_cells[3]));
     program.set("texture_per_cell",

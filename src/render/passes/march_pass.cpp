@@ -236,7 +236,7 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
         const EmptinessTexture& emptiness = access.read(input.emptiness);
         bind("emptiness", emptiness.distance);
         program.set_at("cells_from_texture", index, "", glm::vec3(emptiness.voxels) / float(emptiness.edge));
-        program.set_at("cells_inverse", index, "", 1.0F / glm::vec3(emptiness.distance.size()));
+        program.set_at("last_cell", index, "", glm::vec3(emptiness.distance.size() - 1));
     }
     if (parameters.lit) {
         set_surface(program, index, input.optics);
