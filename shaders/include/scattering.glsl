@@ -34,6 +34,7 @@ struct Arriving {
     float direct;
     float depth;
     vec3 lookup;
+    float beyond;  // what lies between there and the border, in half cells of the grid of direct light
 };
 
 Arriving arriving_light(int m, int n, vec3 x, Incident incident)
@@ -55,9 +56,9 @@ Arriving arriving_light(int m, int n, vec3 x, Incident incident)
 #endif
     arriving.lookup = (x + way * reach) * grid_from_texture_scale[m] + grid_from_texture_shift[m];
     // Cells at the border hold light from inside of them: over their outer half it is led to what comes from outside.
-    float inside = clamp(2.0 * rate * (outside - reach), 0.0, 1.0);
+    arriving.beyond = 2.0 * rate * (outside - reach);
     float direct = textureLod(direct_light[m], in_stack(arriving.lookup, n, half_cell[m].x), 0.0).x;
-    arriving.direct = mix(1.0, direct, inside);
+    arriving.direct = mix(1.0, direct, clamp(arriving.beyond, 0.0, 1.0));
     return arriving;
 }
 
@@ -79,9 +80,11 @@ vec3 scattered_source(int m, vec3 color, float weight, float t)
         vec3 diffuse = vec3(0.0);
 #ifdef DIFFUSE_LIGHT
         vec3 beside = textureLod(diffuse_light[m], in_stack(arriving.lookup, n, half_cell[m].y), 0.0).xyz;
+        float inside = clamp(arriving.beyond * half_cell[m].x / half_cell[m].y, 0.0, 1.0);
         if (scatter_kind[m] == 2) {
-            chromaticity = 4.0 * beside;
+            chromaticity = mix(vec3(1.0), 4.0 * beside, inside);
         } else {
+            beside *= inside;
             // The recurrence of the sweep over the last stretch, with the albedo of its end.
             vec3 depth = (1.0 - albedo) * arriving.depth;
             vec3 absorbed = vec3(opacity_of(depth.x), opacity_of(depth.y), opacity_of(depth.z));
