@@ -3,6 +3,8 @@
 // Below the grid's resolution the last stretch to the light is looked up in the data themselves.
 // DIFFUSE_LIGHT: there is such a grid. SURFACES: surfaces are shaded by their normals as well. NEAR_STEPS: samples.
 
+#include "include/phase_function.glsl"
+
 // The grids of all lights are stacked along z in one texture: indexing samplers by light is beyond some drivers.
 uniform sampler3D direct_light[VOLUMES];
 uniform sampler3D diffuse_light[VOLUMES];
@@ -19,13 +21,6 @@ const float near_cells = NEAR_STEPS > 0 ? 1.5 : 0.5;
 vec3 in_stack(vec3 place, int n, float half_cell)
 {
     return vec3(place.xy, (float(n) + clamp(place.z, half_cell, 1.0 - half_cell)) * (1.0 / float(max(light_count, 1))));
-}
-
-// The phase function times 4 pi; `cosine` between the ways of travel before and after.
-float phase_4pi(float g, float cosine)
-{
-    float inverse = inversesqrt(max(1.0 + g * g - 2.0 * g * cosine, 1e-6));
-    return (1.0 - g * g) * inverse * inverse * inverse;
 }
 
 // Direct light of light n at the end of the stretch towards it that is looked up in the data, where its grids are to be
@@ -91,8 +86,11 @@ vec3 scattered_source(int m, vec3 color, float weight, float t)
             diffuse = (1.0 - opacity) * beside + (opacity - absorbed) * (beside + arriving.direct);
         }
 #endif
-        // Irradiance is over pi: p E = phase_4pi / 4 * (E / pi).
-        float phase = scatter_kind[m] == 2 ? 1.0 : phase_4pi(asymmetry[m], dot(incident.toward, ray_direction_world));
+        // Times 4 pi, since irradiance is over pi: p E = phase / 4 * (E / pi).
+        float phase = 1.0;
+        if (scatter_kind[m] != 2) {
+            phase = 12.5663706143592 * phase_function(dot(incident.toward, ray_direction_world), asymmetry[m]);
+        }
         vec3 by_phase = 0.25 * incident.irradiance * (phase * direct * chromaticity + diffuse);
 #ifdef SURFACES
         Reflected reflected = Reflected(vec3(0.0), vec3(0.0));

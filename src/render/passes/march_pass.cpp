@@ -192,22 +192,13 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
     const VolumeTexture& voxels = access.read(input.voxels);
     const TableTextures& tables = access.read(input.tables);
     bind("voxels", voxels.texture);
-    const double width = input.window[1] - input.window[0];
-    glm::dvec2 u_from_voxel =
-        glm::dvec2(voxels.value_of_one - voxels.value_of_zero, voxels.value_of_zero - input.window[0]) / width;
-    // A window that is tiny beside the data is a step: it stays one, at its place, where floats end.
-    u_from_voxel *=
-        std::min(1.0, 1e30 / std::max(1e-300, std::max(std::abs(u_from_voxel.x), std::abs(u_from_voxel.y))));
+    const glm::dvec2 u_of_texel = u_from_voxel(voxels, input.window);
     if (parameters.settings.classification == scene::Classification::post) {
         bind("optics_table", tables.optics);
-        // u to the coordinate of the table, both ways of it affine.
-        const double scale = double(depth_entries - 1) / depth_entries;
-        const double shift = 0.5 / depth_entries;
-        program.set_at("optics_from_voxel", index, "",
-                       glm::vec2(u_from_voxel.x * scale, u_from_voxel.y * scale + shift));
-        program.set_at(
-            "optics_visible", index, "",
-            glm::vec2(tables.tables.lowest_visible * scale + shift, tables.tables.highest_visible * scale + shift));
+        program.set_at("optics_from_voxel", index, "", glm::vec2(table_from_voxel(u_of_texel, depth_entries)));
+        program.set_at("optics_visible", index, "",
+                       glm::vec2(table_coordinate(tables.tables.lowest_visible, depth_entries),
+                                 table_coordinate(tables.tables.highest_visible, depth_entries)));
     } else {
         bind("depth_table", tables.depth);
         program.set_at("u_visible", index, "", glm::vec2(tables.tables.lowest_visible, tables.tables.highest_visible));
@@ -216,7 +207,7 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
     if (parameters.lit) {
         bind("glow_table", tables.glow);
     }
-    program.set_at("u_from_voxel", index, "", glm::vec2(u_from_voxel));
+    program.set_at("u_from_voxel", index, "", glm::vec2(u_of_texel));
     program.set_at("tau_scale", index, "", float(input.tau_per_sigma_metre * parameters.step_world));
 
     const glm::dmat4 texture_from_world = glm::inverse(input.world_from_texture);
