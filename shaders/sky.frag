@@ -1,7 +1,7 @@
 #version 450 core
 // The sky, the ground and the sun's disc around the camera, and the air before the scene's surfaces.
 // PREETHAM, LOOK: models for comparison in place of the atmosphere. MARCH: along each pixel's ray instead of from the
-// sky-view table, where rays have origins of their own or come from outside the air. OPAQUE: there are surfaces.
+// sky-view table, where rays have origins of their own or come from high up. OPAQUE: there are surfaces.
 #include "include/view_ray.glsl"
 #include "include/sky_air.glsl"
 #include "include/sky_tables.glsl"
@@ -125,7 +125,7 @@ vec3 sky_radiance(Place place, vec3 direction)
     // From the ground by day: below the horizon its colour goes on, and a sun that has set stays on it.
     vec3 above = normalize(vec3(direction.x, max(direction.y, 1e-4), direction.z));
     vec3 sun = normalize(vec3(to_sun.x, max(to_sun.y, 0.0), to_sun.z) + vec3(0.0, 1e-6, 0.0));
-    vec3 Yxy = preetham_Yxy(turbidity, above.y, acos(clamp(sun.y, 0.0, 1.0)), angle_between(above, sun));
+    vec3 Yxy = preetham_Yxy(turbidity, above.y, angle_between(sun, vec3(0.0, 1.0, 0.0)), angle_between(above, sun));
     // Per unit of the sun's irradiance: the solar illuminance above the air is 127.5 klx.
     return irradiance * max(rec709_from_Yxy(Yxy), 0.0) / 127.5 + sun_disc(place, direction);
 #elif defined(LOOK)
@@ -150,7 +150,8 @@ void main()
         vec3 before = surface.xyz;
         if (end > begin) {
             int steps = int(clamp((end - begin) / 2000.0, 2.0, 32.0));
-            AirLight light = air_light(place.from, direction, to_sun, begin, end, steps, 0.0);
+            AirLight light = air_light(place.from, direction, to_sun, begin,
+                                       lowest_point(place.altitude, place.climb), end, steps);
             before = surface.xyz * light.transmittance +
                      surface.w * irradiance * radiance_of(light, dot(direction, to_sun));
         }

@@ -5,11 +5,11 @@ vec3 look_radiance(vec3 direction, vec3 to_sun, float turbidity, float rayleigh_
 {
     vec3 molecules = vec3(5.804542996e-6, 1.356291142e-5, 3.026590247e-5) * rayleigh_strength;
     vec3 haze = 0.434 * 0.2 * turbidity * mie_strength * vec3(1.8399918514e-3, 2.7798023920e-3, 4.0790479544e-3);
-    float zenith = acos(clamp(direction.y, 0.0, 1.0));
+    float zenith = atan(length(direction.xz), max(direction.y, 0.0));
     float mass = 1.0 / (cos(zenith) + 0.15 * pow(93.885 - degrees(zenith), -1.253));
     vec3 passed = exp(-(molecules * 8400.0 + haze * 1250.0) * mass);
     float mu = dot(direction, to_sun);
-    float sun = 1000.0 * max(0.0, 1.0 - exp(-(1.61107 - acos(clamp(to_sun.y, -1.0, 1.0))) / 1.5));
+    float sun = 1000.0 * max(0.0, 1.0 - exp(-(1.61107 - atan(length(to_sun.xz), to_sun.y)) / 1.5));
     float shifted = 0.5 * mu + 0.5;
     float base = max(1.0 + g * g - 2.0 * g * mu, 1e-6);
     float forward = 0.0795774715 * (1.0 - g * g) / (base * sqrt(base));

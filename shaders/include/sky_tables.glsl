@@ -50,6 +50,9 @@ vec3 segment_weight(vec3 extinction, float segment)
     return segment * mix((1.0 - exp(-x)) / max(x, 1e-10), series, lessThan(x, vec3(0.02)));
 }
 
+// Distance to the lowest point of a line; negative behind its origin.
+float lowest_point(float altitude, float climb) { return -(air.radius + altitude) * climb; }
+
 // What air adds to a ray and leaves of what is behind it. Phase functions are constant along a ray: `haze` still lacks
 // that of haze, which is too sharp for tables.
 struct AirLight {
@@ -60,17 +63,20 @@ struct AirLight {
 
 vec3 radiance_of(AirLight light, float mu) { return light.clear + light.haze * mie_phase(mu, air.mie_g); }
 
-// Between two distances along a ray from a point relative to sea level below the camera. Segments grow from the near end
-// where `growth` is 1 and are equal where it is 0.
-AirLight air_light(vec3 from, vec3 direction, vec3 to_sun, float begin, float end, int steps, float growth)
+// Between two distances along a ray from a point relative to sea level below the camera. Segments grow with the square
+// root of the distance to the ray's lowest point, where the air is densest.
+AirLight air_light(vec3 from, vec3 direction, vec3 to_sun, float begin, float lowest, float end, int steps)
 {
+    lowest = clamp(lowest, begin, end);
+    float before = sqrt(lowest - begin);
+    float whole = before + sqrt(end - lowest);
     float rayleigh = rayleigh_phase(dot(direction, to_sun));
     AirLight light = AirLight(vec3(0.0), vec3(0.0), vec3(1.0));
-    float low = 0.0;
+    float low = begin;
     for (int n = 1; n <= steps; ++n) {
-        float s = float(n) / float(steps);
-        float high = (end - begin) * s * (1.0 - growth + growth * s);
-        vec3 at = from + (begin + 0.5 * (low + high)) * direction;
+        float root = whole * (float(n) / float(steps)) - before;
+        float high = lowest + root * abs(root);
+        vec3 at = from + 0.5 * (low + high) * direction;
         float altitude = clamp(altitude_above(at), 0.0, air.height);
         float sun_climb = dot(up_at(at), to_sun);
         AirPoint point = air_at(altitude);
@@ -98,7 +104,7 @@ AirLight sky_along(vec3 from, vec3 direction, float altitude, float climb, bool 
         begin = 0.0;
     }
     float end = toward_ground ? max(distance_to_ground(altitude, climb), begin) : top.y;
-    AirLight light = air_light(from, direction, to_sun, begin, end, steps, climb > 0.0 ? 1.0 : 0.0);
+    AirLight light = air_light(from, direction, to_sun, begin, lowest_point(altitude, climb), end, steps);
     if (toward_ground) {
         light.clear += light.transmittance * ground_radiance(dot(up_at(from + end * direction), to_sun));
     }

@@ -34,14 +34,18 @@ glm::dvec3 sun_transmittance(const Atmosphere& atmosphere, double altitude_m, do
     const double m = std::max(climb, horizon);
     const double top = atmosphere.height_m;
     const double length = std::sqrt(std::max(0.0, r * r * m * m + (top - h) * (planet + r + top))) - r * m;
-    // Midpoints that stand closer where the air is dense: 256 of them leave 1e-5.
-    constexpr int points = 256;
+    // From the lowest point of the way to both of its ends, by midpoints that stand closer where the air is dense: 256
+    // of them leave 1e-5.
+    const double lowest = std::max(0.0, -r * m);
     glm::dvec3 depth(0.0);
-    for (int n = 0; n < points; ++n) {
-        const double s = (n + 0.5) / points;
-        const double t = length * s * s;
-        const double altitude = std::sqrt(r * r + 2.0 * r * t * m + t * t) - planet;
-        depth += extinction(atmosphere, std::max(0.0, altitude)) * (2.0 * length * s / points);
+    for (const double part : {length - lowest, -lowest}) {
+        constexpr int points = 256;
+        for (int n = 0; n < points && part != 0.0; ++n) {
+            const double s = (n + 0.5) / points;
+            const double t = lowest + part * s * s;
+            const double altitude = std::sqrt(r * r + 2.0 * r * t * m + t * t) - planet;
+            depth += extinction(atmosphere, std::max(0.0, altitude)) * (2.0 * std::abs(part) * s / points);
+        }
     }
     return share * glm::exp(-depth);
 }

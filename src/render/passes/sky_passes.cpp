@@ -50,8 +50,12 @@ double rounded_altitude_m(double altitude_m) {
     return std::max(1.0, soft * std::expm1(std::round(std::log1p(altitude_m / soft) * steps) / steps));
 }
 
+/// Above this the sky is a thin band over the horizon, which the rows of the sky view do not resolve.
+constexpr double highest_view_m = 20e3;
+
 bool is_marched(const scene::Camera& camera, const scene::Atmosphere& atmosphere) {
-    return camera.projection == scene::Projection::orthographic || eye_altitude_m(camera) > atmosphere.height_m;
+    return camera.projection == scene::Projection::orthographic ||
+           eye_altitude_m(camera) > std::min(highest_view_m, atmosphere.height_m);
 }
 
 }  // namespace
