@@ -66,6 +66,9 @@ Variants march_variants() {
             variants.push_back(defines);
         }
     }
+    // The sky stands in for what is behind, whatever the march does.
+    variants.push_back({{"VOLUMES", "1"}, {"SKY", ""}});
+    variants.push_back({{"VOLUMES", "2"}, {"SKY", ""}, {"OPAQUE", ""}});
     return variants;
 }
 
