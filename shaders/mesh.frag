@@ -2,6 +2,9 @@
 // An opaque surface under the scene's lights: Lambert, with the highlight of Phong (1975) or Blinn (1977).
 #include "include/view_ray.glsl"
 #include "include/lights.glsl"
+#ifdef SKY_LIGHT
+#include "include/sky_light.glsl"
+#endif
 
 in vec3 point_camera;
 in vec3 normal_world;
@@ -61,6 +64,10 @@ void main()
     float facing_eye = dot(normal, toward_eye);
 
     vec3 reflected = ambient;
+#ifdef SKY_LIGHT
+    // Exact for a sky and a ground that are each of one radiance.
+    reflected += mix(sky_light.ground_radiance.xyz, sky_light.sky_radiance.xyz, 0.5 + 0.5 * normal.y);
+#endif
     vec3 mirrored = vec3(0.0);
     for (int n = 0; n < DIRECTIONAL_LIGHTS; ++n) {
         add_light(incident_from_afar(n), normal, toward_eye, facing_eye, reflected, mirrored);

@@ -8,6 +8,7 @@
 #include "render/frame_graph.h"
 #include "render/passes/march_pass.h"
 #include "render/passes/path_trace_pass.h"
+#include "render/passes/sky_passes.h"
 #include "scene/scene.h"
 
 namespace bruma::render {
@@ -56,6 +57,8 @@ class Renderer {
 
   private:
     void update(const scene::Scene& scene, const View& view);
+    /// All lamps, the sun of an outdoor scene too, are among the scene's lights.
+    void update_passes(const scene::Scene& scene, const View& view);
     void update_meshes(const scene::Scene& scene, const std::vector<std::string>& shown, glm::ivec2 pixels);
     void update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world);
     int wanted_picture() const { return path_traced_ ? path_trace_.paths.index : march_.picture.index; }
@@ -68,8 +71,9 @@ class Renderer {
     MarchPass::Volumes volumes_;
     MarchPass::Lights lights_;  ///< of the volumes that scatter
     OpaquePass::Meshes meshes_;
+    std::unique_ptr<SkyPasses> sky_;      ///< none indoors
     std::unique_ptr<OpaquePass> opaque_;  ///< none while no mesh is shown
-    bool said_no_meshes_ = false;
+    bool said_no_meshes_ = false, said_no_sky_ = false;
 };
 
 }  // namespace bruma::render

@@ -63,17 +63,19 @@ MarchPass::MarchPass(FrameGraph& graph, gl::ShaderLibrary& shaders) : graph_(gra
 }
 
 void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights,
-                       Handle<OpaquePicture> opaque, const View& view, double step_world) {
+                       Handle<OpaquePicture> opaque, const View& view, double step_world, Handle<SkyPicture> sky) {
     graph_.set_source(camera_, **scene.camera, scene.camera->revision());
     graph_.set_source(background_, *scene.background, scene.background.revision());
     graph_.set_source(shader_revision_, 0, shaders_.revision());
 
     const double skipped = skipped_distance(**scene.camera, scene::world_bounds(scene));
-    Parameters parameters{view, *scene.rendering, step_world * view.step_scale, skipped, opaque, {}, {}, false};
+    Parameters parameters{view, *scene.rendering, step_world * view.step_scale, skipped, opaque, {}, {}, false, sky};
     const std::vector<std::string> shining = order_lights(scene);
     std::vector<int> reads{camera_.index, background_.index, shader_revision_.index};
-    if (opaque.index >= 0) {
-        reads.push_back(opaque.index);
+    for (const int behind : {opaque.index, sky.index}) {
+        if (behind >= 0) {
+            reads.push_back(behind);
+        }
     }
     for (const auto& [name, passes] : volumes) {
         const auto& volume = std::get<scene::Volume>(scene.nodes.at(name).content);
@@ -129,6 +131,9 @@ gl::Program& MarchPass::program(const PassAccess& access, const Parameters& para
     gl::Defines defines;
     if (parameters.opaque.index >= 0) {
         defines["OPAQUE"] = "";
+    }
+    if (parameters.sky.index >= 0) {
+        defines["SKY"] = "";
     }
     if (parameters.volumes.empty()) {
         return shaders_.get("background.frag", defines);
@@ -307,6 +312,10 @@ void MarchPass::draw(const PassAccess& access, const Parameters& parameters, boo
         opaque.distance.bind(unit);
         shader.set("opaque_distance", int(unit++));
         shader.set("steps_per_unit", float(opaque.unit_world / h));
+    }
+    if (parameters.sky.index >= 0) {
+        access.read(parameters.sky).color.bind(unit);
+        shader.set("sky_picture", int(unit++));
     }
     if (!parameters.volumes.empty()) {
         shader.set("orthographic", camera.projection == scene::Projection::orthographic ? 1 : 0);

@@ -107,12 +107,15 @@ void OpaquePass::remove() {
     graph_.remove_source(shader_revision_.index);
 }
 
-void OpaquePass::update(const scene::Scene& scene, const Meshes& meshes, glm::ivec2 pixels) {
+void OpaquePass::update(const scene::Scene& scene, const Meshes& meshes, glm::ivec2 pixels, Handle<SkyLight> sky) {
     graph_.set_source(camera_, **scene.camera, scene.camera->revision());
     graph_.set_source(shader_revision_, 0, shaders_.revision());
     Parameters parameters{
-        pixels, skipped_distance(**scene.camera, scene::world_bounds(scene)), {}, {}, *scene.environment};
+        pixels, skipped_distance(**scene.camera, scene::world_bounds(scene)), {}, {}, *scene.environment, sky};
     std::vector<int> reads{camera_.index, shader_revision_.index};
+    if (sky.index >= 0) {
+        reads.push_back(sky.index);
+    }
     for (const auto& [name, passes] : meshes) {
         const auto& mesh = std::get<scene::Mesh>(scene.nodes.at(name).content);
         MeshInput input{name,         passes->triangles, passes->buffers, {}, scene::world_from_model(scene, name),
@@ -148,6 +151,10 @@ void OpaquePass::draw(const PassAccess& access, const Parameters& parameters) {
 
     gl::Defines defines;
     count_lights(defines, parameters.lights);
+    if (parameters.sky.index >= 0) {
+        defines["SKY_LIGHT"] = "";
+        access.read(parameters.sky).buffer.bind_storage(sky_light_binding);
+    }
     gl::Program& program = shaders_.get("mesh.frag", defines);
     program.set("pixels", glm::vec2(parameters.pixels));
     program.set("orthographic", stand.camera.projection == scene::Projection::orthographic ? 1 : 0);

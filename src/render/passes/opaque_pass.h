@@ -6,6 +6,7 @@
 
 #include "gl/shader_library.h"
 #include "render/passes/mesh_passes.h"
+#include "render/sky_light.h"
 #include "scene/scene.h"
 
 namespace bruma::render {
@@ -25,8 +26,8 @@ class OpaquePass {
     OpaquePass(FrameGraph& graph, gl::ShaderLibrary& shaders);
 
     using Meshes = std::map<std::string, std::unique_ptr<MeshPasses>>;
-    /// Hands the graph this frame's sources and parameters; `meshes` are all shown ones.
-    void update(const scene::Scene& scene, const Meshes& meshes, glm::ivec2 pixels);
+    /// Hands the graph this frame's sources and parameters; `meshes` are all shown ones. `sky`: empty indoors.
+    void update(const scene::Scene& scene, const Meshes& meshes, glm::ivec2 pixels, Handle<SkyLight> sky = {});
     void remove();
 
     Handle<OpaquePicture> picture;
@@ -47,6 +48,7 @@ class OpaquePass {
         std::vector<MeshInput> meshes;
         std::vector<scene::Light> lights;
         scene::Environment environment;
+        Handle<SkyLight> sky;
         bool operator==(const Parameters&) const = default;
     };
     struct Stand;  // where the meshes stand before the camera
