@@ -1,9 +1,29 @@
 #version 450 core
-// An opaque surface under the scene's lights: Lambert, with the highlight of Phong (1975) or Blinn (1977).
+// A surface under the scene's lights: Lambert, with the highlight of Phong (1975) or Blinn (1977); or translucent, lit
+// from inside.
+#ifdef DEPTH_ONLY
+void main() {}
+#else
 #include "include/view_ray.glsl"
 #include "include/lights.glsl"
 #ifdef SKY_LIGHT
 #include "include/sky_light.glsl"
+#endif
+#ifdef TRANSLUCENT
+#include "include/random.glsl"
+#include "include/octahedral.glsl"
+#include "include/subsurface.glsl"
+#ifdef FROM_POINTS
+#include "include/subsurface_entry.glsl"
+#else
+uniform SubsurfaceMedium medium;
+#include "include/exit_maps.glsl"
+#include "include/exit_light.glsl"
+#endif
+
+in vec3 position_body;  // mm
+in vec3 normal_body;
+uniform vec3 diffuse_reflectance;  // of the matter, for light from all sides
 #endif
 
 in vec3 point_camera;
@@ -48,6 +68,33 @@ void add_light(Incident incident, vec3 normal, vec3 toward_eye, float facing_eye
     mirrored += incident.irradiance * (min(cosine, aligned) > 0.0 ? shine : 0.0);
 }
 
+#ifdef TRANSLUCENT
+vec3 light_from_within(float facing_eye)
+{
+    vec3 facet = cross(dFdx(position_body), dFdy(position_body));
+    float squared = dot(normal_body, normal_body);
+    vec3 n_o = squared > 1e-30 ? normal_body * inversesqrt(squared) : vec3(0.0, 0.0, 1.0);
+    float length2 = dot(facet, facet);
+    facet = length2 > 1e-36 ? facet * inversesqrt(length2) : n_o;
+    facet = dot(facet, n_o) < 0.0 ? -facet : facet;
+    n_o = gl_FrontFacing ? n_o : -n_o;
+    facet = gl_FrontFacing ? facet : -facet;
+#ifdef FROM_POINTS
+    vec4 inside = vec4(0.0);
+    for (int lamp = 0; lamp < lamp_count; ++lamp) {
+        vec2 shift = random_units(uvec2(gl_FragCoord.xy), 0u, uint(lamp)).xy;
+        inside.rgb += light_from_inside(lamp, position_body, n_o, shift);
+    }
+#else
+    vec4 inside = light_from_maps(position_body, n_o, facet);
+    if (inside.w < 1e-3) {
+        discard;  // no map sees it
+    }
+#endif
+    return fresnel_transmittance(facing_eye, medium.eta) * inside.rgb;
+}
+#endif
+
 void main()
 {
     ViewRay ray = view_ray();
@@ -63,11 +110,12 @@ void main()
     normal = gl_FrontFacing ? normal : -normal;
     float facing_eye = dot(normal, toward_eye);
 
-    vec3 reflected = ambient;
+    vec3 around = ambient;  // radiance from all sides
 #ifdef SKY_LIGHT
     // Exact for a sky and a ground that are each of one radiance.
-    reflected += mix(sky_light.ground_radiance.xyz, sky_light.sky_radiance.xyz, 0.5 + 0.5 * normal.y);
+    around += mix(sky_light.ground_radiance.xyz, sky_light.sky_radiance.xyz, 0.5 + 0.5 * normal.y);
 #endif
+    vec3 reflected = around;
     vec3 mirrored = vec3(0.0);
     for (int n = 0; n < DIRECTIONAL_LIGHTS; ++n) {
         add_light(incident_from_afar(n), normal, toward_eye, facing_eye, reflected, mirrored);
@@ -75,6 +123,15 @@ void main()
     for (int n = DIRECTIONAL_LIGHTS; n < light_count; ++n) {
         add_light(incident_from_point(n, ray_distance), normal, toward_eye, facing_eye, reflected, mirrored);
     }
+#ifdef TRANSLUCENT
+    float passing = fresnel_transmittance(facing_eye, medium.eta);
+    vec3 picture = textured != 0 ? texture(diffuse_texture, coordinate).xyz : vec3(1.0);
+    vec3 within = light_from_within(facing_eye) + passing * diffuse_reflectance * around;
+    vec3 shine = specular * mirrored + (1.0 - passing) * around;
+    radiance = vec4(picture * within + (highlight != 0 ? shine : vec3(0.0)), 1.0);
+#else
     vec3 albedo = diffuse * (textured != 0 ? texture(diffuse_texture, coordinate).xyz : vec3(1.0));
     radiance = vec4(albedo * reflected + (highlight != 0 ? specular * mirrored : vec3(0.0)), 1.0);
+#endif
 }
+#endif

@@ -10,6 +10,14 @@ uniform int orthographic;
 uniform vec2 half_view;
 uniform vec2 depth_of_z;          // reversed: 1 at the near plane; perspective: near plane, at infinity 0
 
+#ifdef TRANSLUCENT
+uniform mat3 body_from_model;     // see render/body_frame.h
+uniform mat3 body_from_normal;
+out vec3 position_body;
+out vec3 normal_body;
+#endif
+
+invariant gl_Position;            // the same for depth alone as for all
 out vec3 point_camera;
 out vec3 normal_world;
 out vec2 coordinate;
@@ -20,6 +28,10 @@ void main()
     vec3 normal = world_from_normal * normal_model;
     normal_world = normal * inversesqrt(max(dot(normal, normal), 1e-36));
     coordinate = vec2(coordinate_model.x, 1.0 - coordinate_model.y);  // the texture's top row comes first
+#ifdef TRANSLUCENT
+    position_body = body_from_model * position_model;
+    normal_body = body_from_normal * normal_model;
+#endif
     float depth = point_camera.z * depth_of_z.x + depth_of_z.y;
     gl_Position = vec4(point_camera.xy / half_view, depth, orthographic != 0 ? 1.0 : -point_camera.z);
 }

@@ -61,15 +61,14 @@ vec3 modified_tangent_normal(vec3 n_i, vec3 omega_12, vec3 x)
 }
 
 // What a ray source along w sends out through the normal n_o at offset y, but for 1 / (16 pi^2 C_phi(1/eta)); rho2 stands
-// for |y|^2 wherever the length is meant and nowhere in the dot products.
-vec3 ray_source_radiance(SubsurfaceMedium m, vec3 y, vec3 w, vec3 n_o, vec3 rho2)
+// for |y|^2 wherever the length is meant and nowhere in the dot products y_w = y . w, y_n = y . n_o, w_n = w . n_o.
+vec3 ray_source_radiance(SubsurfaceMedium m, vec3 y_w, vec3 y_n, float w_n, vec3 rho2)
 {
-    float y_w = dot(y, w);
     vec3 rho = sqrt(rho2);
     vec3 t = m.sigma_tr * rho;
     vec3 p = 1.0 + t;
     vec3 fluence = m.c_phi * (rho2 / m.d + 3.0 * y_w * p);
-    vec3 flux = m.c_e * (3.0 * dot(w, n_o) * m.d * p - dot(y, n_o) * (p + 3.0 * y_w * m.d * (3.0 * p + t * t) / rho2));
+    vec3 flux = m.c_e * (3.0 * w_n * m.d * p - y_n * (p + 3.0 * y_w * m.d * (3.0 * p + t * t) / rho2));
     return exp(-t) / (rho2 * rho) * (fluence - flux);
 }
 
@@ -87,15 +86,19 @@ vec3 directional_dipole(SubsurfaceMedium m, vec3 x, vec3 n_i, vec3 omega_12, vec
     } else {
         d_r2 = r2 + 1.0 / (9.0 * m.sigma_t * m.sigma_t);
     }
-    vec3 real = ray_source_radiance(m, x, omega_12, n_o, d_r2);
+    float x_w = dot(x, omega_12);
+    float x_n = dot(x, n_o);
+    vec3 real = ray_source_radiance(m, vec3(x_w), vec3(x_n), -mu_0, d_r2);
 
+    // The virtual source stands at y = x - lift n_star, its ray mirrored at n_star, which is across x.
     vec3 n_star = modified_tangent_normal(n_i, omega_12, x);
-    vec3 mirrored = omega_12 - 2.0 * dot(omega_12, n_star) * n_star;
-    vec3 virtual_one;
-    for (int c = 0; c < 3; ++c) {
-        vec3 y = x - 2.0 * m.a * m.d_e[c] * n_star;
-        virtual_one[c] = ray_source_radiance(m, y, mirrored, n_o, vec3(dot(y, y)))[c];
-    }
+    vec3 lift = 2.0 * m.a * m.d_e;
+    float w_star = dot(omega_12, n_star);
+    float x_star = dot(x, n_star);  // 0 but for rounding, and at x = 0
+    float star_n = dot(n_star, n_o);
+    vec3 virtual_one =
+        ray_source_radiance(m, x_w - 2.0 * w_star * x_star + lift * w_star, x_n - lift * star_n,
+                            -mu_0 - 2.0 * w_star * star_n, r2 + lift * (lift - 2.0 * x_star));
     return m.normalisation * max(vec3(0.0), real - virtual_one) / (157.91367041742974 * m.c_phi_inverse);
 }
 

@@ -36,10 +36,11 @@ Texture::Texture(GLenum target, std::string_view label, GLenum format, glm::ivec
     }
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
         const std::string sentence =
-            fmt::format("no room for the texture '{}' of {} x {} x {} ({}); a smaller picture or volume may fit", label,
-                        size.x, size.y, size.z, error == GL_OUT_OF_MEMORY ? "out of memory" : "refused by the driver");
-        if (target == GL_TEXTURE_3D) {
-            throw InputError(sentence);  // the user's volume, not the program's own needs
+            fmt::format("no room for the texture '{}' of {} x {} x {} ({}); a smaller {} may fit", label, size.x, size.y,
+                        size.z, error == GL_OUT_OF_MEMORY ? "out of memory" : "refused by the driver",
+                        target == GL_TEXTURE_2D_ARRAY ? "map, or fewer of them," : "picture or volume");
+        if (target == GL_TEXTURE_3D || target == GL_TEXTURE_2D_ARRAY) {
+            throw InputError(sentence);  // the user's volume or settings, not the program's own needs
         }
         throw MachineError(sentence);
     }
@@ -61,6 +62,10 @@ Texture Texture::make_2d_with_levels(std::string_view label, GLenum format, glm:
 }
 Texture Texture::make_3d(std::string_view label, GLenum format, glm::ivec3 size) {
     return {GL_TEXTURE_3D, label, format, size};
+}
+
+Texture Texture::make_2d_array(std::string_view label, GLenum format, glm::ivec3 size) {
+    return {GL_TEXTURE_2D_ARRAY, label, format, size};
 }
 
 void Texture::upload(PixelFormat pixels, const void* data) {
@@ -106,18 +111,44 @@ void Texture::make_smaller_levels() {
 
 Framebuffer::Framebuffer(std::string_view label, std::initializer_list<const Texture*> colors, const Texture* depth)
     : Object(label) {
-    std::array<GLenum, 8> buffers{};
     GLenum count = 0;
     for (const Texture* texture : colors) {
-        size_ = glm::ivec2(texture->size());
-        glNamedFramebufferTexture(name(), GL_COLOR_ATTACHMENT0 + count, texture->name(), 0);
-        buffers[count] = GL_COLOR_ATTACHMENT0 + count;
-        ++count;
+        attach(GL_COLOR_ATTACHMENT0 + count++, {texture});
     }
-    if (depth != nullptr) {
-        glNamedFramebufferTexture(name(), GL_DEPTH_ATTACHMENT, depth->name(), 0);
+    attach(GL_DEPTH_ATTACHMENT, {depth});
+    finish(label, count);
+}
+
+Framebuffer::Framebuffer(std::string_view label, std::initializer_list<Layer> colors, Layer depth) : Object(label) {
+    GLenum count = 0;
+    for (const Layer& layer : colors) {
+        attach(GL_COLOR_ATTACHMENT0 + count++, layer);
     }
-    glNamedFramebufferDrawBuffers(name(), GLsizei(count), buffers.data());
+    attach(GL_DEPTH_ATTACHMENT, depth);
+    finish(label, count);
+}
+
+void Framebuffer::attach(GLenum place, Layer layer) {
+    if (layer.texture == nullptr) {
+        return;
+    }
+    size_ = glm::ivec2(layer.texture->size());
+    if (layer.texture->format() == GL_DEPTH32F_STENCIL8) {
+        place = GL_DEPTH_STENCIL_ATTACHMENT;
+    }
+    if (layer.layer < 0) {
+        glNamedFramebufferTexture(name(), place, layer.texture->name(), 0);
+    } else {
+        glNamedFramebufferTextureLayer(name(), place, layer.texture->name(), 0, layer.layer);
+    }
+}
+
+void Framebuffer::finish(std::string_view label, GLenum colors) const {
+    std::array<GLenum, 8> buffers{};
+    for (GLenum n = 0; n < colors; ++n) {
+        buffers[n] = GL_COLOR_ATTACHMENT0 + n;
+    }
+    glNamedFramebufferDrawBuffers(name(), GLsizei(colors), buffers.data());
     if (glCheckNamedFramebufferStatus(name(), GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
         throw MachineError(fmt::format("the driver cannot draw into '{}'", label));
     }

@@ -21,6 +21,8 @@ class Texture : public Object<TextureTraits> {
     /// With all mip levels, which `make_smaller_levels` fills from the first.
     static Texture make_2d_with_levels(std::string_view label, GLenum format, glm::ivec2 size);
     static Texture make_3d(std::string_view label, GLenum format, glm::ivec3 size);
+    /// Pictures of one size on top of each other; z counts them.
+    static Texture make_2d_array(std::string_view label, GLenum format, glm::ivec3 size);
 
     glm::ivec3 size() const { return size_; }
     GLenum format() const { return format_; }
@@ -48,11 +50,19 @@ class Framebuffer : public Object<FramebufferTraits> {
   public:
     Framebuffer() = default;
     Framebuffer(std::string_view label, std::initializer_list<const Texture*> colors, const Texture* depth = nullptr);
+    /// A layer of an array, or a picture of its own where `layer` is negative.
+    struct Layer {
+        const Texture* texture = nullptr;
+        int layer = -1;
+    };
+    Framebuffer(std::string_view label, std::initializer_list<Layer> colors, Layer depth);
     glm::ivec2 size() const { return size_; }
     /// Binds for drawing and sets the viewport to all of it.
     void bind() const;
 
   private:
+    void attach(GLenum place, Layer layer);
+    void finish(std::string_view label, GLenum colors) const;
     glm::ivec2 size_{0};
 };
 

@@ -35,6 +35,7 @@ json node_json(const scene::Node& node) {
         write_fields(*volume->optics, object);
     } else if (const auto* mesh = std::get_if<scene::Mesh>(&node.content)) {
         object["source"] = fields_json(mesh->source);
+        object["subsurface"] = fields_json(*mesh->subsurface);
         write_fields(*mesh->surface, object);
     }
     return object;
@@ -84,6 +85,9 @@ scene::Mesh read_mesh(const json& object, const std::string& where) {
     if (mesh.source.file.empty()) {
         throw InputError(fmt::format("{}: a mesh needs a file or builtin:NAME here", join_path(where, "source.file")));
     }
+    if_present(object, where, "subsurface", [&](const json& from, const std::string& here) {
+        mesh.subsurface = read_fields<scene::SubsurfaceSettings>(from, here);
+    });
     scene::MeshSurface surface;
     read_present_fields(object, where, surface);
     mesh.surface = surface;
@@ -112,7 +116,7 @@ scene::Node read_node(const json& object, const std::string& where, const Folder
         require_node_keys<scene::VolumeOptics>(object, where, {"source", "transfer_function", "clip", "light_volume"});
         node.content = read_volume(object, where, folders);
     } else if (word == "mesh") {
-        require_node_keys<scene::MeshSurface>(object, where, {"source"});
+        require_node_keys<scene::MeshSurface>(object, where, {"source", "subsurface"});
         node.content = read_mesh(object, where);
     } else {
         require_known_keys(object, where, {"kind", "parent", "visible", "transform"});

@@ -23,6 +23,10 @@ Image read_top_down(const gl::Texture& texture) {
     return image;
 }
 
+bool is_translucent(const scene::Scene& scene, const std::string& name) {
+    return std::get<scene::Mesh>(scene.nodes.at(name).content).surface->shading == scene::MeshShading::translucent;
+}
+
 }  // namespace
 
 Renderer::Renderer(gl::ShaderLibrary& shaders)
@@ -81,7 +85,7 @@ void Renderer::update_passes(const scene::Scene& scene, const View& view) {
         passes->update(std::get<scene::Volume>(scene.nodes.at(name).content), *scene.rendering, step);
     }
     path_traced_ = is_path_traced(scene);
-    update_meshes(scene, path_traced_ ? std::vector<std::string>{} : scene::shown_meshes(scene), view.pixels);
+    update_meshes(scene, path_traced_ ? std::vector<std::string>{} : scene::shown_meshes(scene), view);
     if (path_traced_) {
         if (!said_no_meshes_ && !scene::shown_meshes(scene).empty()) {
             said_no_meshes_ = true;
@@ -103,11 +107,15 @@ void Renderer::update_passes(const scene::Scene& scene, const View& view) {
     }
 }
 
-void Renderer::update_meshes(const scene::Scene& scene, const std::vector<std::string>& shown, glm::ivec2 pixels) {
+void Renderer::update_meshes(const scene::Scene& scene, const std::vector<std::string>& shown, const View& view) {
     if (shown.empty() && opaque_) {
         opaque_->remove();
         opaque_.reset();
     }
+    const auto is_shown_translucent = [&](const std::string& name) {
+        return std::find(shown.begin(), shown.end(), name) != shown.end() && is_translucent(scene, name);
+    };
+    std::erase_if(translucents_, [&](const auto& entry) { return !is_shown_translucent(entry.first); });
     std::erase_if(meshes_, [&](const auto& entry) {
         const bool gone = std::find(shown.begin(), shown.end(), entry.first) == shown.end();
         if (gone) {
@@ -128,7 +136,43 @@ void Renderer::update_meshes(const scene::Scene& scene, const std::vector<std::s
         }
         passes->update(std::get<scene::Mesh>(scene.nodes.at(name).content));
     }
-    opaque_->update(scene, meshes_, pixels, sky_ ? sky_->light : Handle<SkyLight>{});
+    update_translucent(scene, shown, view);
+    opaque_->update(scene, meshes_, translucents_, view.pixels, sky_ ? sky_->light : Handle<SkyLight>{});
+}
+
+void Renderer::update_translucent(const scene::Scene& scene, const std::vector<std::string>& shown, const View& view) {
+    std::vector<scene::Light> lights;
+    for (const std::string& name : order_lights(scene)) {
+        lights.push_back(*scene.lights.at(name));
+    }
+    const glm::dvec3 back = scene::camera_frame(**scene.camera).back_world;
+    for (const std::string& name : shown) {
+        if (is_translucent(scene, name)) {
+            auto& passes = translucents_[name];
+            if (!passes) {
+                passes = std::make_unique<TranslucentPasses>(graph_, shaders_, name, *meshes_.at(name));
+            }
+            passes->update(std::get<scene::Mesh>(scene.nodes.at(name).content), scene::world_from_model(scene, name),
+                           lights, back, view.paths);
+        }
+    }
+}
+
+std::optional<TranslucentStanding> Renderer::translucent_standing() const {
+    if (translucents_.empty()) {
+        return std::nullopt;
+    }
+    TranslucentStanding standing{PathGoal::all, 0.0, true};
+    for (const auto& [name, passes] : translucents_) {
+        if (const RadiosityMaps* const maps = passes->standing()) {
+            standing.passes = std::min(standing.passes, maps->passes);
+            standing.noise = std::max(standing.noise, maps->noise);
+            standing.settled = standing.settled && passes->settled();
+        }
+    }
+    const OpaquePicture* const opaque = graph_.product(opaque_->picture);
+    standing.unseen_pixels = opaque == nullptr ? 0 : opaque->unseen;
+    return standing;
 }
 
 void Renderer::update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world) {

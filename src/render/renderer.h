@@ -28,6 +28,14 @@ struct PathStanding {
     std::optional<double> standard_error;
 };
 
+/// How far the light inside translucent meshes has come: the mesh that is furthest behind.
+struct TranslucentStanding {
+    int passes = 0;                   ///< over its maps
+    double noise = 0.0;               ///< standard error, share of the local value; 1e30: not known yet
+    bool settled = false;             ///< all of them are below the noise that was asked for
+    std::uint32_t unseen_pixels = 0;  ///< that no map sees, so that their light is worked out one by one
+};
+
 /// Pictures of a scene. Keeps a frame graph between pictures, so that each one costs only what changed.
 class Renderer {
   public:
@@ -48,6 +56,8 @@ class Renderer {
     std::optional<int> path_samples() const;
     /// The same with the error, which is read back from the GPU.
     std::optional<PathStanding> path_standing() const;
+    /// How far the light inside translucent meshes has come; nothing when none is shown.
+    std::optional<TranslucentStanding> translucent_standing() const;
     /// Standard error of each channel of a path traced picture, top row first; 0 below two paths.
     Image read_standard_error() const;
 
@@ -59,7 +69,8 @@ class Renderer {
     void update(const scene::Scene& scene, const View& view);
     /// All lamps, the sun of an outdoor scene too, are among the scene's lights.
     void update_passes(const scene::Scene& scene, const View& view);
-    void update_meshes(const scene::Scene& scene, const std::vector<std::string>& shown, glm::ivec2 pixels);
+    void update_meshes(const scene::Scene& scene, const std::vector<std::string>& shown, const View& view);
+    void update_translucent(const scene::Scene& scene, const std::vector<std::string>& shown, const View& view);
     void update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world);
     int wanted_picture() const { return path_traced_ ? path_trace_.paths.index : march_.picture.index; }
 
@@ -71,8 +82,9 @@ class Renderer {
     MarchPass::Volumes volumes_;
     MarchPass::Lights lights_;  ///< of the volumes that scatter
     OpaquePass::Meshes meshes_;
-    std::unique_ptr<SkyPasses> sky_;      ///< none indoors
-    std::unique_ptr<OpaquePass> opaque_;  ///< none while no mesh is shown
+    std::unique_ptr<SkyPasses> sky_;         ///< none indoors
+    OpaquePass::Translucents translucents_;  ///< of the meshes that light enters
+    std::unique_ptr<OpaquePass> opaque_;     ///< none while no mesh is shown
     bool said_no_meshes_ = false, said_no_sky_ = false;
 };
 

@@ -6,6 +6,7 @@
 #include "base/revision.h"
 #include "scene/material.h"
 #include "scene/mesh_data.h"
+#include "scene/subsurface.h"
 
 namespace bruma::scene {
 
@@ -113,6 +114,7 @@ struct Mesh {
     MeshSource source;
     Tracked<std::shared_ptr<const TriangleMesh>> triangles;  ///< never null in a scene that is ready to render
     Tracked<MeshSurface> surface;
+    Tracked<SubsurfaceSettings> subsurface;  ///< translucent
 };
 
 /// The matter inside a translucent surface: by name, or its own coefficients.

@@ -64,6 +64,7 @@ Verb declare_describe_parameters(CLI::App&) {
         print_part<scene::TransferFunction>("", "nodes.NAME.transfer_function.");
         print_part<scene::VolumeSource>("", "nodes.NAME.source.");
         print_part<scene::MeshSurface>("Meshes", "nodes.NAME.");
+        print_part<scene::SubsurfaceSettings>("", "nodes.NAME.subsurface.");
         print_part<scene::MeshSource>("", "nodes.NAME.source.");
         return 0;
     };

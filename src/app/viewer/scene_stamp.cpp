@@ -35,6 +35,7 @@ void append_content(SceneStamp& stamp, const scene::Scene& scene) {
         if (const auto* mesh = std::get_if<scene::Mesh>(&node.content)) {
             stamp.push_back(mesh->triangles.revision());
             stamp.push_back(mesh->surface.revision());
+            stamp.push_back(mesh->subsurface.revision());
         }
     }
 }

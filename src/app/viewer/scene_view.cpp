@@ -25,6 +25,7 @@ bool SceneView::update(const scene::Scene& scene, glm::ivec2 area, double now, b
         if (!render(scene, view)) {
             return false;
         }
+        refined_ = refined_ && is_light_inside_settled();
         moving_ms_ = last_ms_;
         return true;
     }
@@ -40,8 +41,14 @@ bool SceneView::refine(const scene::Scene& scene) {
     view.paths.budget_ms = path_budget_ms;
     refined_ = true;
     const bool rendered = render(scene, view);
-    refined_ = !path_standing_ || path_standing_->samples >= path_samples_ || !rendered;
+    const bool all_paths = !path_standing_ || path_standing_->samples >= path_samples_;
+    refined_ = (all_paths && is_light_inside_settled()) || !rendered;
     return rendered;
+}
+
+bool SceneView::is_light_inside_settled() const {
+    const std::optional<render::TranslucentStanding> inside = renderer_.translucent_standing();
+    return !inside || inside->settled || inside->passes >= path_samples_;
 }
 
 void SceneView::look_at_paths() {

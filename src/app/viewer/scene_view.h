@@ -60,6 +60,8 @@ class SceneView {
     bool render(const scene::Scene& scene, const render::View& view);
     bool refine(const scene::Scene& scene);
     void look_at_paths();
+    /// Whether translucent meshes need no more passes.
+    bool is_light_inside_settled() const;
 
     gl::ShaderLibrary& shaders_;
     render::Renderer renderer_;

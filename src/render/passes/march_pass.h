@@ -10,6 +10,7 @@
 #include "render/passes/opaque_pass.h"
 #include "render/passes/sky_passes.h"
 #include "render/passes/volume_passes.h"
+#include "render/path_goal.h"
 
 namespace bruma::render {
 
@@ -24,15 +25,6 @@ struct SampleCounts {
     gl::Texture counts;
     gl::Texture picture;
     gl::Framebuffer framebuffer;
-};
-
-/// How far path tracing is to go; nothing else looks at it.
-struct PathGoal {
-    static constexpr int all = 1 << 30;
-    int samples = 64;        ///< paths per pixel
-    int scatterings = all;   ///< light that was scattered more often is left out; 1: single scattering
-    double budget_ms = 0.0;  ///< a picture stops short of its samples once it took this long; 0: never
-    bool operator==(const PathGoal&) const = default;
 };
 
 /// Where a picture is drawn and how coarsely; a viewer lowers both while something moves.

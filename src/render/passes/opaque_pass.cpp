@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/log.h"
+#include "gl/query.h"
 #include "render/view_rays.h"
 
 namespace bruma::render {
@@ -17,7 +17,7 @@ void make_targets(OpaquePicture& picture, glm::ivec2 pixels) {
         picture.framebuffer = {};
         picture.radiance = gl::Texture::make_2d("opaque radiance", GL_RGBA32F, pixels);
         picture.distance = gl::Texture::make_2d("opaque distance", GL_R32F, pixels);
-        picture.depth = gl::Texture::make_2d("opaque depth", GL_DEPTH_COMPONENT32F, pixels);
+        picture.depth = gl::Texture::make_2d("opaque depth", GL_DEPTH32F_STENCIL8, pixels);
         picture.framebuffer = gl::Framebuffer("opaque", {&picture.radiance, &picture.distance}, &picture.depth);
     }
 }
@@ -26,10 +26,9 @@ void clear(const OpaquePicture& picture) {
     const GLuint name = picture.framebuffer.name();
     const float nothing[4] = {0.0F, 0.0F, 0.0F, 0.0F};
     const float far_away[4] = {1e30F, 0.0F, 0.0F, 0.0F};
-    const float farthest = 0.0F;  // reversed
     glClearNamedFramebufferfv(name, GL_COLOR, 0, nothing);
     glClearNamedFramebufferfv(name, GL_COLOR, 1, far_away);
-    glClearNamedFramebufferfv(name, GL_DEPTH, 0, &farthest);
+    glClearNamedFramebufferfi(name, GL_DEPTH_STENCIL, 0, 0.0F, 0);  // reversed: 0 is farthest
 }
 
 std::array<glm::dvec3, 8> corners_world(const glm::dmat4& world_from_model, const scene::TriangleMesh& mesh) {
@@ -48,9 +47,21 @@ bool shows_texture(const scene::TriangleMesh& mesh, const scene::MeshSurface& su
                        [](const scene::MeshMaterial& material) { return material.diffuse_texture != nullptr; });
 }
 
-int highlight_of(scene::MeshShading shading) {
-    return shading == scene::MeshShading::phong ? 1 : shading == scene::MeshShading::blinn_phong ? 2 : 0;
+/// As mesh.frag counts highlights.
+int highlight_of(scene::MeshShading shading, bool on_translucent) {
+    switch (shading) {
+        case scene::MeshShading::phong:
+            return 1;
+        case scene::MeshShading::blinn_phong:
+            return 2;
+        case scene::MeshShading::translucent:
+            return on_translucent ? 2 : 0;
+        default:
+            return 0;
+    }
 }
+
+constexpr int direct_points = 64;  ///< per lamp and pixel that no map sees
 
 }  // namespace
 
@@ -107,7 +118,8 @@ void OpaquePass::remove() {
     graph_.remove_source(shader_revision_.index);
 }
 
-void OpaquePass::update(const scene::Scene& scene, const Meshes& meshes, glm::ivec2 pixels, Handle<SkyLight> sky) {
+void OpaquePass::update(const scene::Scene& scene, const Meshes& meshes, const Translucents& translucents,
+                        glm::ivec2 pixels, Handle<SkyLight> sky) {
     graph_.set_source(camera_, **scene.camera, scene.camera->revision());
     graph_.set_source(shader_revision_, 0, shaders_.revision());
     Parameters parameters{
@@ -118,17 +130,23 @@ void OpaquePass::update(const scene::Scene& scene, const Meshes& meshes, glm::iv
     }
     for (const auto& [name, passes] : meshes) {
         const auto& mesh = std::get<scene::Mesh>(scene.nodes.at(name).content);
-        MeshInput input{name,         passes->triangles, passes->buffers, {}, scene::world_from_model(scene, name),
-                        *mesh.surface};
+        MeshInput input;
+        input.name = name;
+        input.triangles = passes->triangles;
+        input.buffers = passes->buffers;
+        input.world_from_model = scene::world_from_model(scene, name);
+        input.surface = *mesh.surface;
         reads.insert(reads.end(), {input.triangles.index, input.buffers.index});
         if (shows_texture(**mesh.triangles, *mesh.surface)) {
             input.textures = passes->textures;
             reads.push_back(input.textures.index);
         }
-        if (input.surface.shading == scene::MeshShading::translucent && !said_translucent_) {
-            said_translucent_ = true;
-            log_warning("nodes.{}.shading: translucent is not drawn yet; this mesh is shaded as lambert", name);
+        if (const auto found = translucents.find(name); found != translucents.end()) {
+            input.inside.shown = std::make_shared<TranslucentPasses::Shown>(found->second->shown());
+            reads.insert(reads.end(), {input.inside.shown->light.index, input.inside.shown->exits.index,
+                                       input.inside.shown->radiosity.index});
         }
+        input.highlight = highlight_of(input.surface.shading, mesh.subsurface->highlight);
         input.surface.material = {};
         input.surface.custom_medium = {};
         parameters.meshes.push_back(std::move(input));
@@ -149,12 +167,89 @@ void OpaquePass::draw(const PassAccess& access, const Parameters& parameters) {
     clear(out);
     out.framebuffer.bind();
 
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GREATER);
+    glDepthMask(GL_TRUE);
+    if (parameters.sky.index >= 0) {
+        access.read(parameters.sky).buffer.bind_storage(sky_light_binding);
+    }
+    out.unseen = 0;
+    std::size_t triangles = 0;
+    const bool any_translucent = std::any_of(parameters.meshes.begin(), parameters.meshes.end(),
+                                             [](const MeshInput& input) { return input.inside.shown != nullptr; });
+    if (any_translucent) {
+        // Depth first: light from inside is dear, and what is hidden shall not count as seen.
+        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        for (const MeshInput& input : parameters.meshes) {
+            draw_mesh(access, prepared_program(parameters, stand, {{"DEPTH_ONLY", ""}}), input, stand);
+        }
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glDepthFunc(GL_GEQUAL);
+    }
+    for (const MeshInput& input : parameters.meshes) {
+        triangles += access.read(input.triangles)->triangles.size();
+        if (input.inside.shown) {
+            out.unseen += draw_translucent(access, parameters, stand, input);
+            continue;
+        }
+        draw_mesh(access, prepared_program(parameters, stand, defines_of(parameters, input)), input, stand);
+    }
+    glDisable(GL_DEPTH_TEST);
+    std::string note =
+        fmt::format("{} x {} pixels, {} triangles of {} mesh{}", parameters.pixels.x, parameters.pixels.y, triangles,
+                    parameters.meshes.size(), parameters.meshes.size() == 1 ? "" : "es");
+    if (any_translucent) {
+        note += fmt::format(", {} pixels that no map sees", out.unseen);
+    }
+    access.note(note);
+}
+
+std::uint32_t OpaquePass::draw_translucent(const PassAccess& access, const Parameters& parameters, const Stand& stand,
+                                           const MeshInput& input) {
+    // From the maps first, which leaves pixels open that none of them sees; light from points, which is dear, for
+    // these.
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_EQUAL, 0, 1);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+    gl::Defines defines = defines_of(parameters, input);
+    const gl::Query unseen("unseen pixels", GL_SAMPLES_PASSED);
+    for (const bool from_points : {false, true}) {
+        if (from_points) {
+            defines["FROM_POINTS"] = "";
+            unseen.begin();
+        }
+        gl::Program& program = prepared_program(parameters, stand, defines);
+        gl::Buffer lamps;
+        set_inside(access, program, input, lamps);
+        draw_mesh(access, program, input, stand);
+    }
+    const std::uint32_t count = unseen.end();
+    glDisable(GL_STENCIL_TEST);
+    const GLint none = 0;
+    glClearNamedFramebufferiv(access.write(picture).framebuffer.name(), GL_STENCIL, 0, &none);  // for the next mesh
+    return count;
+}
+
+gl::Defines OpaquePass::defines_of(const Parameters& parameters, const MeshInput& input) {
     gl::Defines defines;
     count_lights(defines, parameters.lights);
     if (parameters.sky.index >= 0) {
         defines["SKY_LIGHT"] = "";
-        access.read(parameters.sky).buffer.bind_storage(sky_light_binding);
     }
+    if (input.inside.shown) {
+        defines["TRANSLUCENT"] = "";
+        if (input.inside.shown->settings.model == scene::SubsurfaceModel::standard_dipole) {
+            defines["STANDARD_DIPOLE"] = "";
+        }
+    }
+    return defines;
+}
+
+gl::Program& OpaquePass::prepared_program(const Parameters& parameters, const Stand& stand,
+                                          const gl::Defines& defines) {
     gl::Program& program = shaders_.get("mesh.frag", defines);
     program.set("pixels", glm::vec2(parameters.pixels));
     program.set("orthographic", stand.camera.projection == scene::Projection::orthographic ? 1 : 0);
@@ -164,22 +259,34 @@ void OpaquePass::draw(const PassAccess& access, const Parameters& parameters) {
                 glm::mat3(glm::dmat3(stand.frame.right_world, stand.frame.up_world, stand.frame.back_world)));
     program.set("ambient", glm::vec3(parameters.environment.radiance));
     set_lights(program, parameters.lights, stand.camera, stand.unit_world);
-
-    glDisable(GL_BLEND);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_GREATER);
-    glDepthMask(GL_TRUE);
     program.use();
-    std::size_t triangles = 0;
-    for (const MeshInput& input : parameters.meshes) {
-        draw_mesh(access, program, input, stand);
-        triangles += access.read(input.triangles)->triangles.size();
+    return program;
+}
+
+void OpaquePass::set_inside(const PassAccess& access, gl::Program& program, const MeshInput& input, gl::Buffer& lamps) {
+    const TranslucentPasses::Shown& shown = *input.inside.shown;
+    const ExitMaps& exits = access.read(shown.exits);
+    exits.cameras.bind_storage(1);
+    exits.depth.bind(1);
+    program.set("exit_depth", 1);
+    access.read(shown.radiosity).mean.bind(2);
+    program.set("radiosity", 2);
+    program.set("exit_count", exits.maps());
+    TranslucentPasses::set_entry(program, access.read(shown.light), shown, 3, lamps);
+    program.set("diffuse_reflectance", glm::vec3(shown.constants.diffuse_reflectance));
+    if (!direct_points_) {
+        std::vector<glm::vec2> points;
+        for (unsigned n = 1; n <= direct_points; ++n) {
+            points.emplace_back(radical_inverse(n, 2), radical_inverse(n, 3));
+        }
+        direct_points_ = gl::Buffer("entry points of pixels", std::span<const glm::vec2>(points));
     }
-    glDisable(GL_DEPTH_TEST);
-    access.note(fmt::format("{} x {} pixels, {} triangles of {} mesh{}", parameters.pixels.x, parameters.pixels.y,
-                            triangles, parameters.meshes.size(), parameters.meshes.size() == 1 ? "" : "es"));
+    direct_points_.bind_storage(3);
+    program.set("entry_samples", direct_points);
+    program.set("body_from_model", glm::mat3(shown.frame.body_from_model));
+    const glm::dmat3 normals = glm::inverse(shown.frame.body_from_model);  // which is symmetric
+    program.set("body_from_normal", glm::mat3(normals / std::max({std::abs(normals[0][0]), std::abs(normals[1][1]),
+                                                                  std::abs(normals[2][2]), 1e-300})));
 }
 
 void OpaquePass::draw_mesh(const PassAccess& access, gl::Program& program, const MeshInput& input, const Stand& stand) {
@@ -202,7 +309,7 @@ void OpaquePass::draw_mesh(const PassAccess& access, gl::Program& program, const
     }
     program.set("world_from_normal", glm::mat3(world_from_normal / largest));
     glFrontFace(glm::determinant(linear) < 0.0 ? GL_CW : GL_CCW);
-    program.set("highlight", highlight_of(input.surface.shading));
+    program.set("highlight", input.highlight);
     program.set("diffuse_texture", 0);
     glBindVertexArray(buffers.array.name());
     for (const MeshBuffers::Part& part : buffers.parts) {

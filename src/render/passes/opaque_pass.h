@@ -6,6 +6,7 @@
 
 #include "gl/shader_library.h"
 #include "render/passes/mesh_passes.h"
+#include "render/passes/translucent_passes.h"
 #include "render/sky_light.h"
 #include "scene/scene.h"
 
@@ -18,6 +19,8 @@ struct OpaquePicture {
     gl::Texture depth;
     gl::Framebuffer framebuffer;
     double unit_world = 1.0;  ///< metres
+    std::uint32_t unseen =
+        0;  ///< pixels of translucent surfaces that no map sees; their light is worked out one by one
 };
 
 /// Rasterises all shown meshes.
@@ -26,13 +29,22 @@ class OpaquePass {
     OpaquePass(FrameGraph& graph, gl::ShaderLibrary& shaders);
 
     using Meshes = std::map<std::string, std::unique_ptr<MeshPasses>>;
-    /// Hands the graph this frame's sources and parameters; `meshes` are all shown ones. `sky`: empty indoors.
-    void update(const scene::Scene& scene, const Meshes& meshes, glm::ivec2 pixels, Handle<SkyLight> sky = {});
+    using Translucents = std::map<std::string, std::unique_ptr<TranslucentPasses>>;
+    /// Hands the graph this frame's sources and parameters; `meshes` are all shown ones, `translucents` what is inside
+    /// those that light enters; `sky`: empty indoors.
+    void update(const scene::Scene& scene, const Meshes& meshes, const Translucents& translucents, glm::ivec2 pixels,
+                Handle<SkyLight> sky = {});
     void remove();
 
     Handle<OpaquePicture> picture;
 
   private:
+    /// What is inside a translucent mesh; null: it is opaque. Two are equal as long as both are or neither is, since
+    /// what lies behind is told by the revisions of the products that they name.
+    struct Inside {
+        std::shared_ptr<const TranslucentPasses::Shown> shown;
+        bool operator==(const Inside& other) const { return (shown == nullptr) == (other.shown == nullptr); }
+    };
     struct MeshInput {
         std::string name;
         Handle<MeshPasses::Triangles> triangles;
@@ -40,6 +52,8 @@ class OpaquePass {
         Handle<MeshTextures> textures;  ///< empty where none is shown
         glm::dmat4 world_from_model{1.0};
         scene::MeshSurface surface;  ///< of the matter inside nothing is kept
+        int highlight = 0;           ///< as mesh.frag counts them
+        Inside inside;
         bool operator==(const MeshInput&) const = default;
     };
     struct Parameters {
@@ -55,13 +69,20 @@ class OpaquePass {
 
     void draw(const PassAccess& access, const Parameters& parameters);
     static void draw_mesh(const PassAccess& access, gl::Program& program, const MeshInput& input, const Stand& stand);
+    /// How many pixels no map saw.
+    std::uint32_t draw_translucent(const PassAccess& access, const Parameters& parameters, const Stand& stand,
+                                   const MeshInput& input);
+    /// Textures and constants of what is inside; the buffer must live until the mesh is drawn.
+    void set_inside(const PassAccess& access, gl::Program& program, const MeshInput& input, gl::Buffer& lamps);
+    static gl::Defines defines_of(const Parameters& parameters, const MeshInput& input);
+    gl::Program& prepared_program(const Parameters& parameters, const Stand& stand, const gl::Defines& defines);
 
     FrameGraph& graph_;
     gl::ShaderLibrary& shaders_;
     Handle<scene::Camera> camera_;
     Handle<int> shader_revision_;
     PassId pass_;
-    bool said_translucent_ = false;
+    gl::Buffer direct_points_;  ///< where light enters, for pixels that no map sees
 };
 
 }  // namespace bruma::render

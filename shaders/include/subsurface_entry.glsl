@@ -1,0 +1,155 @@
+// The light that leaves a translucent body at one point, estimated from points where it enters:
+//
+//     R(x_o) = integral of E_perp T_12 S_d dA_perp  ~  1/N sum of E_perp T_12 S_d / p
+//
+// Points are drawn in the plane through x_o across the light and looked up in what the lamp sees, so that each is lit and
+// its cosine is in the measure of the plane. A point beside the body counts in N. Needs include/subsurface.glsl and
+// include/octahedral.glsl; lengths in mm.
+
+struct LightFace {
+    vec4 right, up;  // w: texels per unit across the view
+    vec4 toward;     // w: layer
+    vec4 first;      // xy: texel of the coordinate 0
+};
+struct Lamp {
+    vec4 power;  // rgb: E_perp; with a position intensity, E_perp times mm^2. w: 0 parallel, 1 one view, 2 six views
+    vec4 eye;    // mm; w: radius of the disk that holds the body: mm, or the tangent of its angle
+    LightFace faces[6];
+};
+layout(std430, binding = 2) readonly buffer Lamps { Lamp lamps[]; };
+layout(std430, binding = 3) readonly buffer EntryPoints { vec2 entry_points[]; };  // in the unit square
+
+uniform SubsurfaceMedium medium;
+uniform int lamp_count;
+uniform int entry_samples;
+uniform vec3 tail_rates;  // 1/mm
+uniform vec3 core_rates;
+uniform float back_lit_depth;
+uniform sampler2DArray light_points;
+uniform sampler2DArray light_normals;
+
+const float pi = 3.14159265358979;
+
+struct Entry {
+    vec3 point;   // mm
+    vec3 normal;  // on the side of the lamp
+    float share;  // that passes the surface; 0: nothing is there
+};
+
+// The surface that a lamp sees at, or through, a point. Within a texel it is taken to be flat: sums over texels' centres
+// alone would miss or double the peak of S_d, which may be narrower than a texel.
+Entry entry_through(int lamp, vec3 q)
+{
+    bool parallel = lamps[lamp].power.w == 0.0;
+    vec3 v = q - lamps[lamp].eye.xyz;
+    int face = 0;
+    if (lamps[lamp].power.w == 2.0) {
+        vec3 a = abs(v);
+        face = a.x >= a.y && a.x >= a.z ? (v.x > 0.0 ? 0 : 1) : a.y >= a.z ? (v.y > 0.0 ? 2 : 3) : (v.z > 0.0 ? 4 : 5);
+    }
+    LightFace f = lamps[lamp].faces[face];
+    float depth = parallel ? 1.0 : max(-dot(f.toward.xyz, v), 1e-30);
+    vec2 across = vec2(dot(f.right.xyz, v), dot(f.up.xyz, v)) / depth;
+    vec2 at = floor(across * vec2(f.right.w, f.up.w) + f.first.xy);
+    vec2 last = vec2(textureSize(light_points, 0).xy - 1);
+    vec4 stored = at == clamp(at, vec2(0.0), last) ? texelFetch(light_points, ivec3(at, f.toward.w), 0) : vec4(0.0);
+    vec3 normal = octahedral_decode(texelFetch(light_normals, ivec3(clamp(at, vec2(0.0), last), f.toward.w), 0).xy);
+    vec3 toward = parallel ? f.toward.xyz : -normalize(v);
+    vec3 beside = q - stored.xyz;
+    beside -= toward * dot(beside, toward);
+    vec3 point = stored.xyz + beside - toward * (dot(normal, beside) / max(dot(normal, toward), 0.2));
+    return Entry(point, normal, stored.w);
+}
+
+// Core and tail of each channel at distance rho.
+float density_around(float rho, vec3 cores)
+{
+    vec3 sum = tail_rates * exp(-tail_rates * rho) + cores * exp(-cores * rho);
+    return (sum.x + sum.y + sum.z) / (12.0 * pi * max(rho, 1e-30));
+}
+
+vec3 subsurface_density(vec3 x, Entry entry, vec3 toward, vec3 n_o)
+{
+#ifdef STANDARD_DIPOLE
+    return standard_dipole(medium, x);
+#else
+    return directional_dipole(medium, x, entry.normal, refract_into(toward, entry.normal, medium.eta), n_o);
+#endif
+}
+
+// R at x_o by the light of one lamp. `shift` is uniform in the unit square: it moves the points, so that each alone is
+// uniform and the estimate has no bias however few there are.
+vec3 light_from_inside(int lamp, vec3 x_o, vec3 n_o, vec2 shift)
+{
+    float kind = lamps[lamp].power.w;
+    vec3 eye = lamps[lamp].eye.xyz;
+    vec3 axis = lamps[lamp].faces[0].toward.xyz;
+    vec3 right = lamps[lamp].faces[0].right.xyz;
+    vec3 up = lamps[lamp].faces[0].up.xyz;
+    vec3 from_eye = x_o - eye;
+    if (kind == 2.0) {
+        axis = -normalize(from_eye + vec3(0.0, 0.0, dot(from_eye, from_eye) > 0.0 ? 0.0 : 1.0));
+        right = normalize(abs(axis.z) < 0.9 ? vec3(-axis.y, axis.x, 0.0) : vec3(0.0, -axis.z, axis.y));
+        up = cross(axis, right);
+    }
+    float distance_o = kind == 0.0 ? 1.0 : max(-dot(axis, from_eye), 1e-20);  // of the plane
+    vec2 centre = -vec2(dot(right, from_eye), dot(up, from_eye));             // of the body, seen along the light
+    float radius = lamps[lamp].eye.w * distance_o;
+
+    // How deep x_o lies below the lit surface decides which density suits.
+    Entry above = entry_through(lamp, x_o);
+    vec3 toward_o = kind == 0.0 ? axis : -normalize(from_eye);
+    float depth = above.share > 0.0 ? dot(above.point - x_o, toward_o) : 0.0;
+    bool back_lit = depth > back_lit_depth;
+    vec3 cores = back_lit ? min(core_rates, vec3(1.0 / depth)) : core_rates;
+    // Around a lamp amid the body, points on the far side of it are reached by uniform directions alone.
+    float uniform_share = back_lit ? (depth < 0.25 * radius ? 0.25 : 0.5) : kind == 2.0 ? 0.1 : 0.0;
+
+    vec3 sum = vec3(0.0);
+    for (int n = 0; n < entry_samples; ++n) {
+        vec2 u = fract(entry_points[n] + shift);
+        float rotation = 2.0 * pi * u.y;
+        vec2 round_about = vec2(cos(rotation), sin(rotation));
+        bool drawn_uniform = u.x < uniform_share;
+        vec2 d;
+        vec3 v;  // from the lamp
+        if (drawn_uniform) {
+            float s = u.x / uniform_share;
+            d = centre + radius * sqrt(s) * round_about;
+            v = from_eye + d.x * right + d.y * up;
+            if (kind == 2.0) {
+                float z = 2.0 * s - 1.0;
+                v = distance_o * vec3(sqrt(max(0.0, 1.0 - z * z)) * round_about, z);
+                float along = -dot(axis, v);
+                // Where the plane is met again, if it is.
+                v *= along > 1e-4 * distance_o ? distance_o / along : 1.0;
+                vec3 on_plane = v - from_eye;
+                d = along > 1e-4 * distance_o ? vec2(dot(right, on_plane), dot(up, on_plane)) : vec2(1e30);
+            }
+        } else {
+            // One number picks the rate and, stretched, the distance.
+            float scaled = 6.0 * (u.x - uniform_share) / (1.0 - uniform_share);
+            int pick = min(int(scaled), 5);
+            float rate = pick < 3 ? tail_rates[pick] : cores[pick - 3];
+            d = -log(max(1.0 - (scaled - float(pick)), 1e-7)) / rate * round_about;
+            v = from_eye + d.x * right + d.y * up;
+        }
+        // Density per area of the plane; about a lamp amid the body, per solid angle.
+        float squared = dot(v, v);
+        float area_per_angle = kind == 0.0 ? 1.0 : squared * sqrt(squared) / distance_o;
+        float p = (1.0 - uniform_share) * (d.x < 1e29 ? density_around(length(d), cores) : 0.0);
+        if (kind == 2.0) {
+            p = p * area_per_angle + uniform_share / (4.0 * pi);
+        } else {
+            vec2 from_centre = d - centre;
+            p += dot(from_centre, from_centre) <= radius * radius ? uniform_share / (pi * radius * radius) : 0.0;
+            p *= area_per_angle;
+        }
+        Entry entry = entry_through(lamp, eye + v);
+        if (entry.share > 0.0) {
+            vec3 toward = kind == 0.0 ? axis : -v * inversesqrt(squared);
+            sum += entry.share / p * subsurface_density(x_o - entry.point, entry, toward, n_o);
+        }
+    }
+    return lamps[lamp].power.rgb * sum / float(entry_samples);
+}

@@ -1,0 +1,2 @@
+#version 450 core
+#include "include/body_vertex.glsl"

@@ -1,0 +1,121 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "gl/shader_library.h"
+#include "render/body_frame.h"
+#include "render/passes/mesh_passes.h"
+#include "render/path_goal.h"
+#include "render/subsurface_constants.h"
+
+namespace bruma::render {
+
+/// Where the lamps' light enters a body: what each of them sees of it.
+struct LightMaps {
+    gl::Texture points;   ///< RGBA32F array: mm; alpha: share of the light that passes the surface, 0 where none is
+    gl::Texture normals;  ///< RG16 array, octahedral
+    double bounding_radius = 0.0;  ///< mm
+    /// What one lamp's layers hold.
+    struct Drawn {
+        BodyLamp lamp;
+        int first_layer = 0;
+        std::vector<MapCamera> cameras;  ///< one, or the six of a cube
+    };
+    std::vector<Drawn> lamps;
+    double coarsest_texel_mm = 0.0;  ///< where the body stands
+};
+
+/// Where light leaves a body: what parallel cameras around it see.
+struct ExitMaps {
+    gl::Texture depth;    ///< depth array, 1 where nothing is
+    gl::Texture normals;  ///< RG16 array, octahedral
+    gl::Buffer cameras;   ///< for include/exit_maps.glsl
+    gl::Buffer texels;    ///< those that see the body, map after map: x + y * edge
+    std::vector<std::uint32_t> first;  ///< of each map in `texels`, and one past the last
+    double texel_mm = 0.0;             ///< largest
+    int maps() const { return int(first.size()) - 1; }
+};
+
+/// The light that leaves at each texel of the exit maps: a mean over passes.
+struct RadiosityMaps {
+    gl::Texture mean;         ///< RGBA32F array, see radiosity.comp
+    int passes = 0;           ///< that every map has
+    int next_map = 0;         ///< maps below it have one more
+    double noise = 1e30;      ///< standard error of what a picture shows, share of the local value; 1e30: not known yet
+    Revision start = 0;
+};
+
+/// The lamps' light inside one translucent body, none of it dependent on the camera unless a lamp is. Everything is in
+/// the body's own frame: a body that moves under parallel light reruns nothing.
+class TranslucentPasses {
+  public:
+    TranslucentPasses(FrameGraph& graph, gl::ShaderLibrary& shaders, std::string node_name, const MeshPasses& mesh);
+    ~TranslucentPasses();
+    TranslucentPasses(const TranslucentPasses&) = delete;
+    TranslucentPasses& operator=(const TranslucentPasses&) = delete;
+
+    /// Hands the graph this frame's parameters. `lights`: those that shine.
+    void update(const scene::Mesh& mesh, const glm::dmat4& world_from_model, const std::vector<scene::Light>& lights,
+                glm::dvec3 camera_back_world, const PathGoal& goal);
+
+    /// What a shader needs that shows or continues the result.
+    struct Shown {
+        Handle<LightMaps> light;
+        Handle<ExitMaps> exits;
+        Handle<RadiosityMaps> radiosity;
+        SubsurfaceConstants constants;
+        BodyFrame frame;
+        scene::SubsurfaceSettings settings;
+        std::vector<glm::dvec3> powers;  ///< of the lamps
+    };
+    const Shown& shown() const { return shown_; }
+    /// Sets what include/subsurface_entry.glsl reads, textures from `unit` on; `lamps` is filled and bound.
+    static void set_entry(gl::Program& program, const LightMaps& light, const Shown& shown, GLuint unit,
+                          gl::Buffer& lamps);
+    /// Null before the first picture.
+    const RadiosityMaps* standing() const { return graph_.product(shown_.radiosity); }
+    bool settled() const { return standing() != nullptr && standing()->noise <= shown_.settings.noise; }
+
+  private:
+    struct LightParameters {
+        glm::dmat3 body_from_model{1.0};
+        std::vector<BodyLamp> lamps;
+        double eta = 1.3;
+        int size = 0;
+        bool operator==(const LightParameters&) const = default;
+    };
+    struct ExitParameters {
+        glm::dmat3 body_from_model{1.0};
+        int maps = 0, size = 0;
+        bool operator==(const ExitParameters&) const = default;
+    };
+    struct StartParameters {
+        scene::SubsurfaceMedium medium;
+        scene::SubsurfaceModel model{};
+        int samples = 0;
+        std::vector<glm::dvec3> powers;
+        bool operator==(const StartParameters&) const = default;
+    };
+    struct Start {
+        Revision revision = 0;
+    };
+    void draw_light_maps(const PassAccess& access, const LightParameters& parameters);
+    void draw_exit_maps(const PassAccess& access, const ExitParameters& parameters);
+    void gather(const PassAccess& access, const Shown& shown, const PathGoal& goal);
+    double measure_noise(const RadiosityMaps& radiosity, const ExitMaps& exits) const;
+    void draw_body(const MeshBuffers& buffers, gl::Program& program, const glm::dmat3& body_from_model,
+                   const MapCamera& camera) const;
+
+    FrameGraph& graph_;
+    gl::ShaderLibrary& shaders_;
+    std::string node_name_;
+    const MeshPasses& mesh_;
+    Handle<int> shader_revision_;
+    Handle<Start> start_;
+    PassId light_, exits_, begin_, gather_;
+    Shown shown_;
+    int turn_ = 0;  ///< differs from the last one's while passes are missing
+    bool said_coarse_ = false;
+};
+
+}  // namespace bruma::render
