@@ -29,9 +29,9 @@ struct PathStanding {
 
 /// How far the light inside translucent meshes has come: the mesh that is furthest behind.
 struct TranslucentStanding {
-    int passes = 0;        ///< over its maps
-    double noise = 0.0;    ///< standard error, share of the local value; 1e30: not known yet
-    bool settled = false;  ///< all of them are below the noise that was asked for
+    int passes = 0;                   ///< over its maps
+    double noise = 0.0;               ///< standard error, share of the local value; 1e30: not known yet
+    bool settled = false;             ///< all of them are below the noise that was asked for
     std::uint32_t unseen_pixels = 0;  ///< that no map sees, so that their light is worked out one by one
 };
 
@@ -80,7 +80,7 @@ class Renderer {
     MarchPass::Lights lights_;  ///< of the volumes that scatter
     OpaquePass::Meshes meshes_;
     OpaquePass::Translucents translucents_;  ///< of the meshes that light enters
-    std::unique_ptr<OpaquePass> opaque_;  ///< none while no mesh is shown
+    std::unique_ptr<OpaquePass> opaque_;     ///< none while no mesh is shown
     bool said_no_meshes_ = false;
 };
 

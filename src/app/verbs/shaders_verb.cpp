@@ -106,7 +106,17 @@ Variants variants_of(const std::string& file) {
         return {{}, {{"OPAQUE", ""}}};
     }
     if (file == "mesh.frag") {
-        return {{{"DIRECTIONAL_LIGHTS", "1"}, {"POINT_LIGHTS", "1"}}};
+        const gl::Defines lights{{"DIRECTIONAL_LIGHTS", "1"}, {"POINT_LIGHTS", "1"}};
+        Variants variants{{{"DEPTH_ONLY", ""}}, lights};
+        for (gl::Defines inside : Variants{{}, {{"FROM_POINTS", ""}}, {{"FROM_POINTS", ""}, {"CUBE_LAMPS", ""}}}) {
+            inside.insert(lights.begin(), lights.end());
+            inside["TRANSLUCENT"] = "";
+            variants.push_back(inside);
+        }
+        return variants;
+    }
+    if (file == "radiosity.comp") {
+        return {{}, {{"CUBE_LAMPS", ""}}, {{"STANDARD_DIPOLE", ""}}};
     }
     if (file == "path_trace.comp") {
         return path_trace_variants();

@@ -183,18 +183,20 @@ void OpaquePass::draw(const PassAccess& access, const Parameters& parameters) {
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         glDepthFunc(GL_GEQUAL);
     }
+    gl::Defines opaque;
+    count_lights(opaque, parameters.lights);
     for (const MeshInput& input : parameters.meshes) {
         triangles += access.read(input.triangles)->triangles.size();
         if (input.inside.shown) {
             out.unseen += draw_translucent(access, parameters, stand, input);
             continue;
         }
-        draw_mesh(access, prepared_program(parameters, stand, defines_of(parameters, input)), input, stand);
+        draw_mesh(access, prepared_program(parameters, stand, opaque), input, stand);
     }
     glDisable(GL_DEPTH_TEST);
-    std::string note = fmt::format("{} x {} pixels, {} triangles of {} mesh{}", parameters.pixels.x,
-                                   parameters.pixels.y, triangles, parameters.meshes.size(),
-                                   parameters.meshes.size() == 1 ? "" : "es");
+    std::string note =
+        fmt::format("{} x {} pixels, {} triangles of {} mesh{}", parameters.pixels.x, parameters.pixels.y, triangles,
+                    parameters.meshes.size(), parameters.meshes.size() == 1 ? "" : "es");
     if (any_translucent) {
         note += fmt::format(", {} pixels that no map sees", out.unseen);
     }
@@ -203,15 +205,18 @@ void OpaquePass::draw(const PassAccess& access, const Parameters& parameters) {
 
 std::uint32_t OpaquePass::draw_translucent(const PassAccess& access, const Parameters& parameters, const Stand& stand,
                                            const MeshInput& input) {
-    // From the maps first, which leaves pixels open that none of them sees; light from points, which is dear, for these.
+    // From the maps first, which leaves pixels open that none of them sees; light from points, which is dear, for
+    // these.
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_EQUAL, 0, 1);
     glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-    gl::Defines defines = defines_of(parameters, input);
+    gl::Defines defines{{"TRANSLUCENT", ""}};
+    count_lights(defines, parameters.lights);
     const gl::Query unseen("unseen pixels", GL_SAMPLES_PASSED);
     for (const bool from_points : {false, true}) {
         if (from_points) {
             defines["FROM_POINTS"] = "";
+            defines.merge(TranslucentPasses::defines_of(access.read(input.inside.shown->light), *input.inside.shown));
             unseen.begin();
         }
         gl::Program& program = prepared_program(parameters, stand, defines);
@@ -224,18 +229,6 @@ std::uint32_t OpaquePass::draw_translucent(const PassAccess& access, const Param
     const GLint none = 0;
     glClearNamedFramebufferiv(access.write(picture).framebuffer.name(), GL_STENCIL, 0, &none);  // for the next mesh
     return count;
-}
-
-gl::Defines OpaquePass::defines_of(const Parameters& parameters, const MeshInput& input) {
-    gl::Defines defines;
-    count_lights(defines, parameters.lights);
-    if (input.inside.shown) {
-        defines["TRANSLUCENT"] = "";
-        if (input.inside.shown->settings.model == scene::SubsurfaceModel::standard_dipole) {
-            defines["STANDARD_DIPOLE"] = "";
-        }
-    }
-    return defines;
 }
 
 gl::Program& OpaquePass::prepared_program(const Parameters& parameters, const Stand& stand,
@@ -253,8 +246,7 @@ gl::Program& OpaquePass::prepared_program(const Parameters& parameters, const St
     return program;
 }
 
-void OpaquePass::set_inside(const PassAccess& access, gl::Program& program, const MeshInput& input,
-                            gl::Buffer& lamps) {
+void OpaquePass::set_inside(const PassAccess& access, gl::Program& program, const MeshInput& input, gl::Buffer& lamps) {
     const TranslucentPasses::Shown& shown = *input.inside.shown;
     const ExitMaps& exits = access.read(shown.exits);
     exits.cameras.bind_storage(1);
@@ -265,15 +257,7 @@ void OpaquePass::set_inside(const PassAccess& access, gl::Program& program, cons
     program.set("exit_count", exits.maps());
     TranslucentPasses::set_entry(program, access.read(shown.light), shown, 3, lamps);
     program.set("diffuse_reflectance", glm::vec3(shown.constants.diffuse_reflectance));
-    if (!direct_points_) {
-        std::vector<glm::vec2> points;
-        for (unsigned n = 1; n <= direct_points; ++n) {
-            points.emplace_back(radical_inverse(n, 2), radical_inverse(n, 3));
-        }
-        direct_points_ = gl::Buffer("entry points of pixels", std::span<const glm::vec2>(points));
-    }
-    direct_points_.bind_storage(3);
-    program.set("entry_samples", direct_points);
+    TranslucentPasses::set_entry_points(program, 0, direct_points);
     program.set("body_from_model", glm::mat3(shown.frame.body_from_model));
     const glm::dmat3 normals = glm::inverse(shown.frame.body_from_model);  // which is symmetric
     program.set("body_from_normal", glm::mat3(normals / std::max({std::abs(normals[0][0]), std::abs(normals[1][1]),
