@@ -23,6 +23,11 @@ void main()
     outward = gl_FrontFacing ? outward : -outward;
     float inside = clamp((dot(toward, axis) - cone.x) * cone.y, 0.0, 1.0);
     float share = has_position != 0 ? inside * inside * (3.0 - 2.0 * inside) : 1.0;
-    point = vec4(position_body, share * fresnel_transmittance(dot(outward, toward), eta));
+    // Light is spread over flat triangles, but they stand for a smooth surface: by the ratio of the two cosines.
+    vec3 facet = cross(dFdx(position_body), dFdy(position_body));
+    float facing = abs(dot(facet, toward)) * inversesqrt(max(dot(facet, facet), 1e-36));
+    float cosine = dot(outward, toward);
+    float smoothing = clamp(cosine / max(facing, 0.02), 0.0, 1.5);
+    point = vec4(position_body, share * smoothing * fresnel_transmittance(cosine, eta));
     normal = octahedral_encode(outward);
 }

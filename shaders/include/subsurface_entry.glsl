@@ -17,7 +17,7 @@ struct Lamp {
     LightFace faces[6];
 };
 layout(std430, binding = 2) readonly buffer Lamps { Lamp lamps[]; };
-layout(std430, binding = 3) readonly buffer EntryPoints { vec2 entry_points[]; };  // in the unit square
+uniform vec2 entry_points[256];  // in the unit square
 
 uniform SubsurfaceMedium medium;
 uniform int lamp_count;
@@ -38,16 +38,18 @@ struct Entry {
 
 // The surface that a lamp sees at, or through, a point. Within a texel it is taken to be flat: sums over texels' centres
 // alone would miss or double the peak of S_d, which may be narrower than a texel.
-Entry entry_through(int lamp, vec3 q)
+// `v` is that point less the lamp's place.
+Entry entry_through(int lamp, float kind, LightFace f, vec3 q, vec3 v)
 {
-    bool parallel = lamps[lamp].power.w == 0.0;
-    vec3 v = q - lamps[lamp].eye.xyz;
-    int face = 0;
-    if (lamps[lamp].power.w == 2.0) {
+    bool parallel = kind == 0.0;
+#ifdef CUBE_LAMPS
+    if (kind == 2.0) {
         vec3 a = abs(v);
-        face = a.x >= a.y && a.x >= a.z ? (v.x > 0.0 ? 0 : 1) : a.y >= a.z ? (v.y > 0.0 ? 2 : 3) : (v.z > 0.0 ? 4 : 5);
+        int face =
+            a.x >= a.y && a.x >= a.z ? (v.x > 0.0 ? 0 : 1) : a.y >= a.z ? (v.y > 0.0 ? 2 : 3) : (v.z > 0.0 ? 4 : 5);
+        f = lamps[lamp].faces[face];
     }
-    LightFace f = lamps[lamp].faces[face];
+#endif
     float depth = parallel ? 1.0 : max(-dot(f.toward.xyz, v), 1e-30);
     vec2 across = vec2(dot(f.right.xyz, v), dot(f.up.xyz, v)) / depth;
     vec2 at = floor(across * vec2(f.right.w, f.up.w) + f.first.xy);
@@ -83,9 +85,10 @@ vec3 light_from_inside(int lamp, vec3 x_o, vec3 n_o, vec2 shift)
 {
     float kind = lamps[lamp].power.w;
     vec3 eye = lamps[lamp].eye.xyz;
-    vec3 axis = lamps[lamp].faces[0].toward.xyz;
-    vec3 right = lamps[lamp].faces[0].right.xyz;
-    vec3 up = lamps[lamp].faces[0].up.xyz;
+    LightFace face = lamps[lamp].faces[0];
+    vec3 axis = face.toward.xyz;
+    vec3 right = face.right.xyz;
+    vec3 up = face.up.xyz;
     vec3 from_eye = x_o - eye;
     if (kind == 2.0) {
         axis = -normalize(from_eye + vec3(0.0, 0.0, dot(from_eye, from_eye) > 0.0 ? 0.0 : 1.0));
@@ -97,7 +100,7 @@ vec3 light_from_inside(int lamp, vec3 x_o, vec3 n_o, vec2 shift)
     float radius = lamps[lamp].eye.w * distance_o;
 
     // How deep x_o lies below the lit surface decides which density suits.
-    Entry above = entry_through(lamp, x_o);
+    Entry above = entry_through(lamp, kind, face, x_o, from_eye);
     vec3 toward_o = kind == 0.0 ? axis : -normalize(from_eye);
     float depth = above.share > 0.0 ? dot(above.point - x_o, toward_o) : 0.0;
     bool back_lit = depth > back_lit_depth;
@@ -145,7 +148,7 @@ vec3 light_from_inside(int lamp, vec3 x_o, vec3 n_o, vec2 shift)
             p += dot(from_centre, from_centre) <= radius * radius ? uniform_share / (pi * radius * radius) : 0.0;
             p *= area_per_angle;
         }
-        Entry entry = entry_through(lamp, eye + v);
+        Entry entry = entry_through(lamp, kind, face, eye + v, v);
         if (entry.share > 0.0) {
             vec3 toward = kind == 0.0 ? axis : -v * inversesqrt(squared);
             sum += entry.share / p * subsurface_density(x_o - entry.point, entry, toward, n_o);

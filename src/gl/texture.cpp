@@ -36,8 +36,8 @@ Texture::Texture(GLenum target, std::string_view label, GLenum format, glm::ivec
     }
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
         const std::string sentence =
-            fmt::format("no room for the texture '{}' of {} x {} x {} ({}); a smaller {} may fit", label, size.x, size.y,
-                        size.z, error == GL_OUT_OF_MEMORY ? "out of memory" : "refused by the driver",
+            fmt::format("no room for the texture '{}' of {} x {} x {} ({}); a smaller {} may fit", label, size.x,
+                        size.y, size.z, error == GL_OUT_OF_MEMORY ? "out of memory" : "refused by the driver",
                         target == GL_TEXTURE_2D_ARRAY ? "map, or fewer of them," : "picture or volume");
         if (target == GL_TEXTURE_3D || target == GL_TEXTURE_2D_ARRAY) {
             throw InputError(sentence);  // the user's volume or settings, not the program's own needs

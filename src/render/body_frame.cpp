@@ -106,8 +106,7 @@ glm::dmat4 MapCamera::clip_from_body() const {
 MapCamera looking_against(glm::dvec3 back) {
     MapCamera camera;
     camera.back = glm::normalize(back);
-    const glm::dvec3 beside =
-        std::abs(camera.back.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
+    const glm::dvec3 beside = std::abs(camera.back.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
     camera.right = glm::normalize(glm::cross(beside, camera.back));
     camera.up = glm::cross(camera.back, camera.right);
     return camera;

@@ -20,7 +20,8 @@ double fresnel_reflectance(double cosine, double index) {
     return 0.5 * (s * s + p * p);
 }
 
-/// 2 C1 and 3 C2: moments of the reflectance of a boundary, seen from the side whose index is `index` times the other's.
+/// 2 C1 and 3 C2: moments of the reflectance of a boundary, seen from the side whose index is `index` times the
+/// other's.
 struct Moments {
     double twice_c1 = 0.0, thrice_c2 = 0.0;
 };

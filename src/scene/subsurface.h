@@ -8,7 +8,7 @@ namespace bruma::scene {
 
 /// Analytic models of light that enters a body at one point and leaves it at another.
 enum class SubsurfaceModel {
-    standard_dipole,     ///< Jensen, Marschner, Levoy, Hanrahan, "A Practical Model for Subsurface Light Transport", 2001
+    standard_dipole,  ///< Jensen, Marschner, Levoy, Hanrahan, "A Practical Model for Subsurface Light Transport", 2001
     directional_dipole,  ///< Frisvad, Hachisuka, Kjeldsen, "Directional Dipole Model for Subsurface Scattering", 2014
     normalised_dipole,   ///< the same times the factor with which a half-space returns what random walks return
 };

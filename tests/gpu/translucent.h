@@ -7,8 +7,7 @@
 /// Scenes of translucent bodies that several tests share.
 namespace bruma::render {
 
-inline std::shared_ptr<const scene::TriangleMesh> builtin_triangles(const std::string& name,
-                                                                    double mm_per_unit = 1.0) {
+inline std::shared_ptr<const scene::TriangleMesh> builtin_triangles(const std::string& name, double mm_per_unit = 1.0) {
     scene::MeshSource source;
     source.file = "builtin:" + name;
     source.millimetres_per_unit = mm_per_unit;

@@ -22,8 +22,8 @@ class TranslucentGraph : public Drawing {
         }
         own_shaders = std::make_unique<gl::ShaderLibrary>(installed_folder("shaders"));
         renderer = std::make_unique<Renderer>(*own_shaders);
-        scene::Mesh& mesh = add_translucent(scene, "ball", builtin_triangles("mesh-sphere"),
-                                            scene::medium_of(scene::Material::potato));
+        scene::Mesh& mesh =
+            add_translucent(scene, "ball", builtin_triangles("mesh-sphere"), scene::medium_of(scene::Material::potato));
         mesh.subsurface.edit([](scene::SubsurfaceSettings& settings) {
             settings.maps = 4;
             settings.map_size = 32;

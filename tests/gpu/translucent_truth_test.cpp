@@ -32,8 +32,8 @@ scene::SubsurfaceMedium same_in_all_channels(const reference::SubsurfaceChannel&
     return medium;
 }
 
-/// Exitance over E_perp of a sphere of radius 10 mm lit along z, averaged over ten equal steps of the cosine of the angle
-/// from the lit pole: in a picture taken from the side each column of pixels stands for one cosine.
+/// Exitance over E_perp of a sphere of radius 10 mm lit along z, averaged over ten equal steps of the cosine of the
+/// angle from the lit pole: in a picture taken from the side each column of pixels stands for one cosine.
 std::array<double, 10> exitance_bins(const scene::Scene& scene, const Image& image, double eta, int channel) {
     std::array<double, 10> sums{}, weights{};
     const double radius = 0.010;
@@ -84,11 +84,14 @@ TEST_F(Translucent, SpheresSendOutWhatQuadratureOfTheDipoleSays) {
     const auto sphere = builtin_triangles("mesh-sphere");
     for (const Case& c : {Case{same_in_all_channels(truths[0].channel), 0, 1}, Case{pair, 1, 1}, Case{pair, 2, 0}}) {
         scene::Scene scene;
-        add_translucent(scene, "ball", sphere, c.medium);
+        add_translucent(scene, "ball", sphere, c.medium).subsurface.edit([](scene::SubsurfaceSettings& settings) {
+            settings.maps = 6;
+            settings.map_size = 128;
+        });
         scene.lights["key"] = scene::Light{.direction_world = {0.0, 0.0, 1.0}, .intensity = 1.0};
         scene.camera = parallel_camera_around(scene, {1.0, 0.0, 0.0});
         const auto& truth = truths[std::size_t(c.truth)];
-        const Image image = draw_after(scene, {80, 80}, 12);
+        const Image image = draw_after(scene, {120, 120}, 6);
         const std::array<double, 10> bins = exitance_bins(scene, image, truth.channel.eta, c.channel);
         for (std::size_t n = 0; n < bins.size(); ++n) {
             // 3 %: one of the quadrature behind the numbers, one of the maps' texels; where the light ends, the mean
@@ -109,7 +112,10 @@ reference::TriangleMesh for_reference(const scene::TriangleMesh& mesh, const glm
         copy.positions.emplace_back(world_from_model * glm::dvec4(mesh.positions[n], 1.0));
         copy.normals.push_back(glm::normalize(normals * glm::dvec3(mesh.normals[n])));
     }
-    copy.triangles = mesh.triangles;
+    const bool mirrored = glm::determinant(glm::dmat3(world_from_model)) < 0.0;
+    for (const glm::uvec3& t : mesh.triangles) {
+        copy.triangles.push_back(mirrored ? glm::uvec3(t.x, t.z, t.y) : t);
+    }
     return copy;
 }
 
@@ -139,6 +145,7 @@ TEST_F(Translucent, AKnotUnderEachKindOfLightIsTheQuadratureOverItsSurface) {
             scene::Transform{.rotation_deg = {20.0, -30.0, 10.0}, .scale = {0.8, -0.7, 0.75}};
         scene.lights["key"] = lamps[n];
         scene.camera = parallel_camera_around(scene, {0.1, 0.2, 1.0});
+        scene.camera->edit([](scene::Camera& camera) { camera.view_height *= 0.6; });
         const glm::ivec2 pixels(11, 11);
         const Image image = draw_after(scene, pixels, 24);
         reference::SubsurfaceViewOptions options;
@@ -177,8 +184,8 @@ TEST_F(Translucent, AKnotUnderEachKindOfLightIsTheQuadratureOverItsSurface) {
 
 TEST_F(Translucent, OnePassAloneHasNoBias) {
     scene::Scene scene;
-    scene::Mesh& mesh = add_translucent(scene, "knot", builtin_triangles("mesh-knot"),
-                                        scene::medium_of(scene::Material::potato));
+    scene::Mesh& mesh =
+        add_translucent(scene, "knot", builtin_triangles("mesh-knot"), scene::medium_of(scene::Material::potato));
     scene.lights["key"] = scene::Light{.direction_world = {0.5, 0.4, 0.8}};
     scene.camera = parallel_camera_around(scene, {0.1, 0.2, 1.0});
     const auto mean = [](const Image& image) {

@@ -114,7 +114,8 @@ Verb declare_render(CLI::App& app, const std::vector<std::string>& command_line)
     app.add_option("--context", arguments->context, "auto, egl or osmesa");
     app.add_option("--stats", arguments->stats, "JSON file: what each pass did, samples, time beside brute force");
     app.add_option("--repeats", arguments->repeats, "how often --stats draws each frame")->check(CLI::Range(1, 1000));
-    app.add_option("--samples", arguments->paths.samples, "path_traced lighting: paths for each pixel; translucent meshes: passes over their maps at most")
+    app.add_option("--samples", arguments->paths.samples,
+                   "path_traced lighting: paths for each pixel; translucent meshes: passes over their maps at most")
         ->check(CLI::Range(1, 1 << 20));
     app.add_option("--scatterings", arguments->paths.scatterings,
                    "path_traced lighting: leave out light that was scattered more often; 1 is single scattering")

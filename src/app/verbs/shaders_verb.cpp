@@ -129,9 +129,19 @@ Variants variants_of(const std::string& file) {
     }
     if (file == "mesh.frag") {
         const gl::Defines lights{{"DIRECTIONAL_LIGHTS", "1"}, {"POINT_LIGHTS", "1"}};
-        gl::Defines outdoors = lights;
-        outdoors["SKY_LIGHT"] = "";
-        return {lights, outdoors};
+        Variants variants{{{"DEPTH_ONLY", ""}}, lights};
+        variants.push_back(lights);
+        variants.back()["SKY_LIGHT"] = "";
+        for (gl::Defines inside :
+             Variants{{}, {{"SKY_LIGHT", ""}}, {{"FROM_POINTS", ""}}, {{"FROM_POINTS", ""}, {"CUBE_LAMPS", ""}}}) {
+            inside.insert(lights.begin(), lights.end());
+            inside["TRANSLUCENT"] = "";
+            variants.push_back(inside);
+        }
+        return variants;
+    }
+    if (file == "radiosity.comp") {
+        return {{}, {{"CUBE_LAMPS", ""}}, {{"STANDARD_DIPOLE", ""}}};
     }
     if (file == "path_trace.comp") {
         return path_trace_variants();

@@ -63,6 +63,15 @@ int highlight_of(scene::MeshShading shading, bool on_translucent) {
 
 constexpr int direct_points = 64;  ///< per lamp and pixel that no map sees
 
+gl::Defines light_defines(const std::vector<scene::Light>& lights, bool outdoors) {
+    gl::Defines defines;
+    count_lights(defines, lights);
+    if (outdoors) {
+        defines["SKY_LIGHT"] = "";
+    }
+    return defines;
+}
+
 }  // namespace
 
 /// Lengths are counted in a power of two of metres about as long as the meshes, so that scenes of any size give numbers
@@ -189,13 +198,14 @@ void OpaquePass::draw(const PassAccess& access, const Parameters& parameters) {
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         glDepthFunc(GL_GEQUAL);
     }
+    const gl::Defines opaque = light_defines(parameters.lights, parameters.sky.index >= 0);
     for (const MeshInput& input : parameters.meshes) {
         triangles += access.read(input.triangles)->triangles.size();
         if (input.inside.shown) {
             out.unseen += draw_translucent(access, parameters, stand, input);
             continue;
         }
-        draw_mesh(access, prepared_program(parameters, stand, defines_of(parameters, input)), input, stand);
+        draw_mesh(access, prepared_program(parameters, stand, opaque), input, stand);
     }
     glDisable(GL_DEPTH_TEST);
     std::string note =
@@ -214,11 +224,13 @@ std::uint32_t OpaquePass::draw_translucent(const PassAccess& access, const Param
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_EQUAL, 0, 1);
     glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-    gl::Defines defines = defines_of(parameters, input);
+    gl::Defines defines = light_defines(parameters.lights, parameters.sky.index >= 0);
+    defines["TRANSLUCENT"] = "";
     const gl::Query unseen("unseen pixels", GL_SAMPLES_PASSED);
     for (const bool from_points : {false, true}) {
         if (from_points) {
             defines["FROM_POINTS"] = "";
+            defines.merge(TranslucentPasses::defines_of(access.read(input.inside.shown->light), *input.inside.shown));
             unseen.begin();
         }
         gl::Program& program = prepared_program(parameters, stand, defines);
@@ -231,21 +243,6 @@ std::uint32_t OpaquePass::draw_translucent(const PassAccess& access, const Param
     const GLint none = 0;
     glClearNamedFramebufferiv(access.write(picture).framebuffer.name(), GL_STENCIL, 0, &none);  // for the next mesh
     return count;
-}
-
-gl::Defines OpaquePass::defines_of(const Parameters& parameters, const MeshInput& input) {
-    gl::Defines defines;
-    count_lights(defines, parameters.lights);
-    if (parameters.sky.index >= 0) {
-        defines["SKY_LIGHT"] = "";
-    }
-    if (input.inside.shown) {
-        defines["TRANSLUCENT"] = "";
-        if (input.inside.shown->settings.model == scene::SubsurfaceModel::standard_dipole) {
-            defines["STANDARD_DIPOLE"] = "";
-        }
-    }
-    return defines;
 }
 
 gl::Program& OpaquePass::prepared_program(const Parameters& parameters, const Stand& stand,
@@ -274,15 +271,7 @@ void OpaquePass::set_inside(const PassAccess& access, gl::Program& program, cons
     program.set("exit_count", exits.maps());
     TranslucentPasses::set_entry(program, access.read(shown.light), shown, 3, lamps);
     program.set("diffuse_reflectance", glm::vec3(shown.constants.diffuse_reflectance));
-    if (!direct_points_) {
-        std::vector<glm::vec2> points;
-        for (unsigned n = 1; n <= direct_points; ++n) {
-            points.emplace_back(radical_inverse(n, 2), radical_inverse(n, 3));
-        }
-        direct_points_ = gl::Buffer("entry points of pixels", std::span<const glm::vec2>(points));
-    }
-    direct_points_.bind_storage(3);
-    program.set("entry_samples", direct_points);
+    TranslucentPasses::set_entry_points(program, 0, direct_points);
     program.set("body_from_model", glm::mat3(shown.frame.body_from_model));
     const glm::dmat3 normals = glm::inverse(shown.frame.body_from_model);  // which is symmetric
     program.set("body_from_normal", glm::mat3(normals / std::max({std::abs(normals[0][0]), std::abs(normals[1][1]),

@@ -73,8 +73,7 @@ class OpaquePass {
     std::uint32_t draw_translucent(const PassAccess& access, const Parameters& parameters, const Stand& stand,
                                    const MeshInput& input);
     /// Textures and constants of what is inside; the buffer must live until the mesh is drawn.
-    void set_inside(const PassAccess& access, gl::Program& program, const MeshInput& input, gl::Buffer& lamps);
-    static gl::Defines defines_of(const Parameters& parameters, const MeshInput& input);
+    static void set_inside(const PassAccess& access, gl::Program& program, const MeshInput& input, gl::Buffer& lamps);
     gl::Program& prepared_program(const Parameters& parameters, const Stand& stand, const gl::Defines& defines);
 
     FrameGraph& graph_;
@@ -82,7 +81,6 @@ class OpaquePass {
     Handle<scene::Camera> camera_;
     Handle<int> shader_revision_;
     PassId pass_;
-    gl::Buffer direct_points_;  ///< where light enters, for pixels that no map sees
 };
 
 }  // namespace bruma::render

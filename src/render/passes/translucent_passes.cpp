@@ -74,10 +74,6 @@ double ms_since(std::chrono::steady_clock::time_point then) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - then).count();
 }
 
-gl::Defines defines_of(scene::SubsurfaceModel model) {
-    return model == scene::SubsurfaceModel::standard_dipole ? gl::Defines{{"STANDARD_DIPOLE", ""}} : gl::Defines{};
-}
-
 }  // namespace
 
 TranslucentPasses::TranslucentPasses(FrameGraph& graph, gl::ShaderLibrary& shaders, std::string node_name,
@@ -90,10 +86,10 @@ TranslucentPasses::TranslucentPasses(FrameGraph& graph, gl::ShaderLibrary& shade
     start_ = graph.add_product<Start>(named("start of radiosity"));
     shown_.radiosity = graph.add_product<RadiosityMaps>(named("radiosity"));
     const std::vector<int> reads{mesh.triangles.index, mesh.buffers.index, shader_revision_.index};
-    light_ = graph.add_pass({named("light maps"), "where light enters: what each lamp sees of the body", reads,
-                             {shown_.light.index}, {}});
-    exits_ = graph.add_pass({named("exit maps"), "where light leaves: what cameras around the body see", reads,
-                             {shown_.exits.index}, {}});
+    light_ = graph.add_pass(
+        {named("light maps"), "where light enters: what each lamp sees of the body", reads, {shown_.light.index}, {}});
+    exits_ = graph.add_pass(
+        {named("exit maps"), "where light leaves: what cameras around the body see", reads, {shown_.exits.index}, {}});
     begin_ = graph.add_pass({named("begin radiosity"),
                              "lets the mean over passes begin anew",
                              {shown_.light.index, shown_.exits.index, shader_revision_.index},
@@ -139,7 +135,8 @@ void TranslucentPasses::update(const scene::Mesh& mesh, const glm::dmat4& world_
     const RadiosityMaps* const standing = graph_.product(shown_.radiosity);
     turn_ += standing != nullptr && !settled() && standing->passes < goal.samples ? 1 : 0;
     graph_.set_parameters(gather_, turn_);
-    graph_.set_execute(gather_, [this, shown = shown_, goal](const PassAccess& access) { gather(access, shown, goal); });
+    graph_.set_execute(gather_,
+                       [this, shown = shown_, goal](const PassAccess& access) { gather(access, shown, goal); });
 }
 
 void TranslucentPasses::draw_body(const MeshBuffers& buffers, gl::Program& program, const glm::dmat3& body_from_model,
@@ -247,8 +244,28 @@ void TranslucentPasses::draw_exit_maps(const PassAccess& access, const ExitParam
     texels.push_back(0);  // a buffer is never empty
     out.cameras = gl::Buffer("exit cameras", std::span<const ExitCameraData>(cameras));
     out.texels = gl::Buffer("exit texels", std::span<const std::uint32_t>(texels));
-    access.note(fmt::format("{} maps of {} x {} texels, {:.3g} mm at most", parameters.maps, size.x, size.y,
-                            out.texel_mm));
+    access.note(
+        fmt::format("{} maps of {} x {} texels, {:.3g} mm at most", parameters.maps, size.x, size.y, out.texel_mm));
+}
+
+gl::Defines TranslucentPasses::defines_of(const LightMaps& light, const Shown& shown) {
+    gl::Defines defines;
+    if (shown.settings.model == scene::SubsurfaceModel::standard_dipole) {
+        defines["STANDARD_DIPOLE"] = "";
+    }
+    if (std::any_of(light.lamps.begin(), light.lamps.end(),
+                    [](const LightMaps::Drawn& lamp) { return lamp.cameras.size() > 1; })) {
+        defines["CUBE_LAMPS"] = "";
+    }
+    return defines;
+}
+
+void TranslucentPasses::set_entry_points(gl::Program& program, std::uint64_t first, int count) {
+    program.set("entry_samples", count);
+    for (int n = 0; n < count; ++n) {
+        const std::uint64_t index = first + std::uint64_t(n) + 1;  // point 0 is a corner
+        program.set_at("entry_points", n, "", glm::vec2(radical_inverse(index, 2), radical_inverse(index, 3)));
+    }
 }
 
 void TranslucentPasses::set_entry(gl::Program& program, const LightMaps& light, const Shown& shown, GLuint unit,
@@ -260,13 +277,13 @@ void TranslucentPasses::set_entry(gl::Program& program, const LightMaps& light, 
         const double distance = glm::length(lamp.lamp.position);
         const double radius = light.bounding_radius;
         data[n].power = glm::vec4(shown.powers[n], !lamp.lamp.has_position ? 0.0 : cube ? 2.0 : 1.0);
-        data[n].eye = glm::vec4(lamp.lamp.position,
-                                !lamp.lamp.has_position || cube
-                                    ? radius
-                                    : radius / std::sqrt(distance * distance - radius * radius));
+        data[n].eye = glm::vec4(lamp.lamp.position, !lamp.lamp.has_position || cube
+                                                        ? radius
+                                                        : radius / std::sqrt(distance * distance - radius * radius));
         for (std::size_t f = 0; f < lamp.cameras.size(); ++f) {
             const MapCamera& camera = lamp.cameras[f];
-            data[n].faces[f] = {glm::vec4(camera.right, 1.0 / camera.texel.x), glm::vec4(camera.up, 1.0 / camera.texel.y),
+            data[n].faces[f] = {glm::vec4(camera.right, 1.0 / camera.texel.x),
+                                glm::vec4(camera.up, 1.0 / camera.texel.y),
                                 glm::vec4(camera.back, double(lamp.first_layer) + double(f)),
                                 glm::vec4(-camera.low / camera.texel, 0.0, 0.0)};
         }
@@ -339,11 +356,12 @@ void TranslucentPasses::gather(const PassAccess& access, const Shown& shown, con
                                                shown.constants.sigma_t_reduced.z});
     if (!said_coarse_ && light.coarsest_texel_mm > shortest_mm) {
         said_coarse_ = true;
-        log_note("nodes.{}: texels of {:.3g} mm where light enters, but light is scattered every {:.3g} mm; a larger "
-                 "subsurface.light_map_size shows sharper shadow borders",
-                 node_name_, light.coarsest_texel_mm, shortest_mm);
+        log_note(
+            "nodes.{}: texels of {:.3g} mm where light enters, but light is scattered every {:.3g} mm; a larger "
+            "subsurface.light_map_size shows sharper shadow borders",
+            node_name_, light.coarsest_texel_mm, shortest_mm);
     }
-    gl::Program& program = shaders_.get("radiosity.comp", defines_of(shown.settings.model));
+    gl::Program& program = shaders_.get("radiosity.comp", defines_of(light, shown));
     gl::Buffer lamps;
     set_entry(program, light, shown, 2, lamps);
     exits.cameras.bind_storage(1);
@@ -353,18 +371,11 @@ void TranslucentPasses::gather(const PassAccess& access, const Shown& shown, con
     program.set("exit_normals", 1);
     glBindImageTexture(0, out.mean.name(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_RGBA32F);
     const int samples = int(shown.settings.samples);
-    program.set("entry_samples", samples);
     program.set("edge", unsigned(exits.depth.size().x));
     exits.texels.bind_storage(5);
     const auto began = std::chrono::steady_clock::now();
     while (out.passes < goal.samples && out.noise > shown.settings.noise) {
-        std::vector<glm::vec2> points;
-        for (int n = 0; n < samples; ++n) {
-            const std::uint64_t index = std::uint64_t(out.passes) * std::uint64_t(samples) + std::uint64_t(n) + 1;
-            points.emplace_back(radical_inverse(index, 2), radical_inverse(index, 3));
-        }
-        const gl::Buffer entry_points("entry points", std::span<const glm::vec2>(points));
-        entry_points.bind_storage(3);
+        set_entry_points(program, std::uint64_t(out.passes) * std::uint64_t(samples), samples);
         program.set("passes_before", out.passes);
         program.use();
         bool out_of_time = false;
@@ -401,8 +412,8 @@ void TranslucentPasses::gather(const PassAccess& access, const Shown& shown, con
     }
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     const std::string noise = out.noise < 1e29 ? fmt::format("{:.2g} %", 100.0 * out.noise) : "unknown";
-    access.note(fmt::format("{} passes of {} points from {} lamp{}, noise {}", out.passes, samples,
-                            light.lamps.size(), light.lamps.size() == 1 ? "" : "s", noise));
+    access.note(fmt::format("{} passes of {} points from {} lamp{}, noise {}", out.passes, samples, light.lamps.size(),
+                            light.lamps.size() == 1 ? "" : "s", noise));
 }
 
 }  // namespace bruma::render

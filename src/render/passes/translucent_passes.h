@@ -27,10 +27,10 @@ struct LightMaps {
 
 /// Where light leaves a body: what parallel cameras around it see.
 struct ExitMaps {
-    gl::Texture depth;    ///< depth array, 1 where nothing is
-    gl::Texture normals;  ///< RG16 array, octahedral
-    gl::Buffer cameras;   ///< for include/exit_maps.glsl
-    gl::Buffer texels;    ///< those that see the body, map after map: x + y * edge
+    gl::Texture depth;                 ///< depth array, 1 where nothing is
+    gl::Texture normals;               ///< RG16 array, octahedral
+    gl::Buffer cameras;                ///< for include/exit_maps.glsl
+    gl::Buffer texels;                 ///< those that see the body, map after map: x + y * edge
     std::vector<std::uint32_t> first;  ///< of each map in `texels`, and one past the last
     double texel_mm = 0.0;             ///< largest
     int maps() const { return int(first.size()) - 1; }
@@ -38,10 +38,10 @@ struct ExitMaps {
 
 /// The light that leaves at each texel of the exit maps: a mean over passes.
 struct RadiosityMaps {
-    gl::Texture mean;         ///< RGBA32F array, see radiosity.comp
-    int passes = 0;           ///< that every map has
-    int next_map = 0;         ///< maps below it have one more
-    double noise = 1e30;      ///< standard error of what a picture shows, share of the local value; 1e30: not known yet
+    gl::Texture mean;     ///< RGBA32F array, see radiosity.comp
+    int passes = 0;       ///< that every map has
+    int next_map = 0;     ///< maps below it have one more
+    double noise = 1e30;  ///< standard error of what a picture shows, share of the local value; 1e30: not known yet
     Revision start = 0;
 };
 
@@ -69,9 +69,13 @@ class TranslucentPasses {
         std::vector<glm::dvec3> powers;  ///< of the lamps
     };
     const Shown& shown() const { return shown_; }
+    /// What the shaders of a body are compiled for.
+    static gl::Defines defines_of(const LightMaps& light, const Shown& shown);
     /// Sets what include/subsurface_entry.glsl reads, textures from `unit` on; `lamps` is filled and bound.
     static void set_entry(gl::Program& program, const LightMaps& light, const Shown& shown, GLuint unit,
                           gl::Buffer& lamps);
+    /// Points [first, first + count) of Halton's sequence, at most 256.
+    static void set_entry_points(gl::Program& program, std::uint64_t first, int count);
     /// Null before the first picture.
     const RadiosityMaps* standing() const { return graph_.product(shown_.radiosity); }
     bool settled() const { return standing() != nullptr && standing()->noise <= shown_.settings.noise; }
