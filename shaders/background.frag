@@ -1,7 +1,11 @@
 #version 450 core
-// The picture where no volume stands in the scene. OPAQUE: there are surfaces before the background.
+// The picture where no volume stands in the scene. OPAQUE: there are surfaces before the background, CLOUDS:
+// layers of clouds.
 #ifdef OPAQUE
 #include "include/opaque.glsl"
+#endif
+#ifdef CLOUDS
+#include "include/clouds_over.glsl"
 #endif
 layout(location = 0) out vec4 picture;
 uniform vec2 pixels;
@@ -15,5 +19,8 @@ void main()
     picture = opaque_over(background);
 #else
     picture = vec4(background, 0.0);
+#endif
+#ifdef CLOUDS
+    picture = with_clouds(vec4(0.0, 0.0, 0.0, 1.0), 0.0, picture);
 #endif
 }

@@ -15,6 +15,7 @@
 #include "io/scene_file.h"
 #include "io/scene_json.h"
 #include "io/scene_settings.h"
+#include "io/weather_file.h"
 #include "scene/builtin.h"
 #include "scene/mesh_builtin.h"
 
@@ -91,7 +92,7 @@ double way_out(const scene::Scene& scene, const scene::Bounds& box) {
 }
 
 void add_node(scene::Scene& scene, const std::string& name,
-              std::variant<scene::Group, scene::Volume, scene::Mesh> content, const scene::Bounds& box,
+              decltype(scene::Node::content) content, const scene::Bounds& box,
               const scene::Transform& turn = {}) {
     scene::Node node;
     node.transform = turn;
@@ -228,6 +229,7 @@ scene::Scene with_settings(const scene::Scene& scene, std::span<const std::strin
     scene::Scene changed = from_json(document, "--set", preset_folders);
     load_missing_grids(changed, &scene, progress);
     load_missing_meshes(changed, &scene, progress);
+    load_missing_weather(changed, &scene);
     return changed;
 }
 

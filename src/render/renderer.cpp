@@ -76,7 +76,7 @@ void Renderer::update(const scene::Scene& scene, const View& view) {
     } else {
         path_trace_.forget_all();
         march_.update(scene, volumes_, lights_, opaque_ ? opaque_->picture : Handle<OpaquePicture>{},
-                      {view.pixels, view.step_scale}, step);
+                      update_clouds(scene, view), {view.pixels, view.step_scale}, step);
     }
 }
 
@@ -106,6 +106,22 @@ void Renderer::update_meshes(const scene::Scene& scene, const std::vector<std::s
         passes->update(std::get<scene::Mesh>(scene.nodes.at(name).content));
     }
     opaque_->update(scene, meshes_, pixels);
+}
+
+std::vector<Handle<CloudPicture>> Renderer::update_clouds(const scene::Scene& scene, const View& view) {
+    const std::vector<std::string> shown = scene::shown_clouds(scene);
+    if (shown.empty()) {
+        if (clouds_) {
+            clouds_->remove();
+            clouds_.reset();
+        }
+        return {};
+    }
+    if (!clouds_) {
+        clouds_ = std::make_unique<Clouds>(graph_, shaders_);
+    }
+    return clouds_->update(scene, shown, opaque_ ? opaque_->picture : Handle<OpaquePicture>{}, view.pixels,
+                           view.step_scale);
 }
 
 void Renderer::update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world) {

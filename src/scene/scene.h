@@ -7,9 +7,11 @@
 
 #include "base/revision.h"
 #include "scene/camera.h"
+#include "scene/clouds.h"
 #include "scene/light.h"
 #include "scene/mesh.h"
 #include "scene/rendering.h"
+#include "scene/timeline.h"
 #include "scene/volume.h"
 
 namespace bruma::scene {
@@ -46,7 +48,7 @@ struct Node {
     std::string parent;  ///< name of another node; empty: the world
     bool visible = true;
     Tracked<Transform> transform;
-    std::variant<Group, Volume, Mesh> content;
+    std::variant<Group, Volume, Mesh, Clouds> content;
 };
 
 /// All that a picture depends on. Plain data; no GL and no files.
@@ -57,6 +59,7 @@ struct Scene {
     Tracked<Environment> environment;
     Tracked<RenderSettings> rendering;
     Tracked<Display> display;
+    Tracked<Timeline> time;
     std::map<std::string, Tracked<Light>> lights;
     std::map<std::string, Node> nodes;
 };
@@ -88,5 +91,7 @@ Camera fit_camera(const Bounds& bounds, double aspect, glm::dvec3 back_world = {
 std::vector<std::string> shown_volumes(const Scene& scene);
 /// Names of all shown mesh nodes, in order.
 std::vector<std::string> shown_meshes(const Scene& scene);
+/// Names of all shown nodes with clouds, in order.
+std::vector<std::string> shown_clouds(const Scene& scene);
 
 }  // namespace bruma::scene

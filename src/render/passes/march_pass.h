@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gl/shader_library.h"
+#include "render/passes/cloud_march_pass.h"
 #include "render/passes/light_passes.h"
 #include "render/passes/opaque_pass.h"
 #include "render/passes/volume_passes.h"
@@ -50,9 +51,9 @@ class MarchPass {
     using Volumes = std::map<std::string, std::unique_ptr<VolumePasses>>;
     using Lights = std::map<std::string, std::unique_ptr<LightPasses>>;
     /// Hands the graph this frame's sources and parameters. `lights`: of the volumes that scatter.
-    /// `opaque`: the surfaces of all meshes; an empty handle where there are none.
+    /// `opaque`: the surfaces of all meshes; an empty handle where there are none. `clouds`: one picture for each layer.
     void update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights, Handle<OpaquePicture> opaque,
-                const View& view, double step_world);
+                const std::vector<Handle<CloudPicture>>& clouds, const View& view, double step_world);
 
     Handle<Picture> picture;
     Handle<SampleCounts> counts;
@@ -81,6 +82,7 @@ class MarchPass {
         double step_world = 1.0;
         double skipped_distance = 0.0;  ///< metres, before parallel rays start
         Handle<OpaquePicture> opaque;
+        std::vector<Handle<CloudPicture>> clouds;
         std::vector<VolumeInput> volumes;
         std::vector<scene::Light> lights;
         bool lit = false;  ///< lights matter
