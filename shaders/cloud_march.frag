@@ -2,8 +2,12 @@
 // Light of one layer of clouds along each pixel's ray, up to the opaque surfaces.
 // BOX: a block in a flat world, else a shell around the planet. OPAQUE: rays end at surfaces. CONE: six samples towards
 // the sun at every point, else the grid of optical depths. LEAP, BIG_STEPS, STOP_EARLY, SPARE_DETAIL: techniques that are
-// on. ADAPT: segments aim at an optical depth. COUNT: counts what is looked up. Others: see include/cloud_*.glsl.
+// on. SPARSE: one of each four by four pixels is drawn, into a picture of that many. ADAPT: segments aim at an optical depth. COUNT: counts what is looked up. Others: see include/cloud_*.glsl.
 
+#ifdef SPARSE
+uniform ivec2 pixel_offset;
+#define PIXEL_CENTRE (floor(gl_FragCoord.xy) * 4.0 + vec2(pixel_offset) + 0.5)
+#endif
 #include "include/random.glsl"
 #include "include/cloud_field.glsl"
 #include "include/cloud_intervals.glsl"
@@ -54,11 +58,11 @@ const float big = 4.0;
 float sample_place()
 {
     if (jitter == 1) {
-        return random_unit(uvec2(gl_FragCoord.xy), frame, 0u);
+        return random_unit(uvec2(PIXEL_CENTRE), frame, 0u);
     }
     if (jitter == 2) {
         // The golden ratio turns one tile into as many as there are frames.
-        float u = texelFetch(blue_noise, ivec2(gl_FragCoord.xy) % textureSize(blue_noise, 0), 0).x;
+        float u = texelFetch(blue_noise, ivec2(PIXEL_CENTRE) % textureSize(blue_noise, 0), 0).x;
         return fract(u + float(frame % 64u) * 0.61803399);
     }
     return 0.5;
@@ -189,7 +193,7 @@ void main()
 #endif
     float farthest = reach;
 #ifdef OPAQUE
-    farthest = min(farthest, texelFetch(opaque_distance, ivec2(gl_FragCoord.xy), 0).x * metres_per_unit);
+    farthest = min(farthest, texelFetch(opaque_distance, min(ivec2(PIXEL_CENTRE), ivec2(pixels) - 1), 0).x * metres_per_unit);
 #endif
     parts.yw = min(parts.yw, vec2(farthest));
     parts.x = max(parts.x, near_distance * stretch);

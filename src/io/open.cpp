@@ -91,9 +91,8 @@ double way_out(const scene::Scene& scene, const scene::Bounds& box) {
     return overlap(taken, box) ? taken.high.x + gap - box.low.x : 0.0;
 }
 
-void add_node(scene::Scene& scene, const std::string& name,
-              decltype(scene::Node::content) content, const scene::Bounds& box,
-              const scene::Transform& turn = {}) {
+void add_node(scene::Scene& scene, const std::string& name, decltype(scene::Node::content) content,
+              const scene::Bounds& box, const scene::Transform& turn = {}) {
     scene::Node node;
     node.transform = turn;
     node.transform.edit([&](scene::Transform& transform) { transform.translation.x = way_out(scene, box); });

@@ -10,9 +10,9 @@
 #include "io/input_file.h"
 #include "io/json_text.h"
 #include "io/mesh_source.h"
-#include "io/weather_file.h"
 #include "io/scene_json.h"
 #include "io/scene_settings.h"
+#include "io/weather_file.h"
 
 namespace bruma::io {
 namespace {

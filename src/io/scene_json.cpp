@@ -107,8 +107,8 @@ scene::Node read_node(const json& object, const std::string& where, const Folder
     scene::Node node;
     const auto kind = object.find("kind");
     if (kind == object.end()) {
-        throw InputError(
-            fmt::format("{}: missing; expected \"volume\", \"mesh\", \"clouds\" or \"group\"", join_path(where, "kind")));
+        throw InputError(fmt::format("{}: missing; expected \"volume\", \"mesh\", \"clouds\" or \"group\"",
+                                     join_path(where, "kind")));
     }
     const std::string_view word = node_kinds[read_word(*kind, join_path(where, "kind"), node_kinds)];
     if (word == "volume") {
@@ -172,8 +172,9 @@ scene::Scene from_json(const json& document, const std::string& where, const Fol
     const std::string top = where.empty() ? "" : where + ":";
     require_object(document, top);
     check_version(document, version_key, version, where);
-    require_known_keys(document, top,
-                       {version_key, "camera", "background", "environment", "rendering", "display", "time", "lights", "nodes"});
+    require_known_keys(
+        document, top,
+        {version_key, "camera", "background", "environment", "rendering", "display", "time", "lights", "nodes"});
     scene::Scene scene;
     if_present(document, top, "camera", [&](const json& from, const std::string& here) {
         if (!from.is_null()) {

@@ -33,8 +33,8 @@ std::vector<CloudMedium> media_of(const scene::Scene& scene) {
     for (const std::string& name : scene::shown_clouds(scene)) {
         const auto& clouds = std::get<scene::Clouds>(scene.nodes.at(name).content);
         const CloudField field(*clouds.layer, *clouds.map, make_cloud_noise(clouds.layer->packing), scene.time->now_s);
-        media.push_back(medium_of(field, CloudGeometry(*clouds.layer, eye, scene::Atmosphere{}.planet_radius_m),
-                                  *clouds.optics));
+        media.push_back(
+            medium_of(field, CloudGeometry(*clouds.layer, eye, scene::Atmosphere{}.planet_radius_m), *clouds.optics));
     }
     return media;
 }
@@ -47,10 +47,9 @@ struct Shade {
 
 Shade by_march(std::span<const CloudMedium> media, const CloudLight& light, const scene::Ray& ray,
                const CloudImageOptions& options) {
-    const CloudRayResult result =
-        options.fixed_step_m
-            ? march_once(media, light, ray, *options.fixed_step_m, options.fixed_sun_samples, options.march)
-            : march_clouds(media, light, ray, options.march);
+    const CloudRayResult result = options.fixed_step_m ? march_once(media, light, ray, *options.fixed_step_m,
+                                                                    options.fixed_sun_samples, options.march)
+                                                       : march_clouds(media, light, ray, options.march);
     const double largest = std::max({result.radiance.r, result.radiance.g, result.radiance.b});
     return {result.radiance, glm::dvec3((result.view_error + result.sun_error) * std::max(largest, 1e-9)),
             result.transmittance, result.samples};
@@ -58,9 +57,9 @@ Shade by_march(std::span<const CloudMedium> media, const CloudLight& light, cons
 
 Shade by_paths(std::span<const CloudMedium> media, const CloudLight& light, const Pixel& pixel,
                const CloudImageOptions& options) {
-    const MonteCarloResult result =
-        trace_paths(media, light, pixel.ray,
-                    {.samples = options.samples, .pixel = std::uint32_t(pixel.index), .longest_m = options.march.longest_m});
+    const MonteCarloResult result = trace_paths(
+        media, light, pixel.ray,
+        {.samples = options.samples, .pixel = std::uint32_t(pixel.index), .longest_m = options.march.longest_m});
     return {result.radiance, result.standard_error, result.transmittance,
             std::uint64_t(result.mean_orders * options.samples)};
 }

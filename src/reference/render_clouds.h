@@ -20,8 +20,8 @@ struct CloudImageOptions {
     std::function<void(double)> progress = {};
 };
 
-/// Lamp and constant environment as clouds see them: the first directional lamp that shines is the sun, over a ground of
-/// the default atmosphere's albedo.
+/// Lamp and constant environment as clouds see them: the first directional lamp that shines is the sun, over a ground
+/// of the default atmosphere's albedo.
 CloudLight cloud_light(const scene::Scene& scene);
 
 /// All shown layers of clouds over the background, seen by the scene's camera at the scene's time, in double precision.

@@ -7,8 +7,8 @@
 
 namespace bruma::render {
 
-/// Where a layer can hold cloud, judged by its weather map alone: cells of one tile of the map, x, z, and slices between
-/// the altitudes of `scene::cloud_band`. Conservative: a cell that says empty is empty whatever the noise.
+/// Where a layer can hold cloud, judged by its weather map alone: cells of one tile of the map, x, z, and slices
+/// between the altitudes of `scene::cloud_band`. Conservative: a cell that says empty is empty whatever the noise.
 struct CloudCells {
     static constexpr int edge = 256;
     static constexpr int slices = 32;

@@ -15,11 +15,11 @@ struct CloudOrigins {
     glm::dvec3 shape{0.0}, detail{0.0};
     bool operator==(const CloudOrigins&) const = default;
 };
-/// For points counted from `place_world` (its y is not used) at a time: reduced in double, so that nothing swims however
-/// late it is or far away.
+/// For points counted from `place_world` (its y is not used) at a time: reduced in double, so that nothing swims
+/// however late it is or far away.
 CloudOrigins cloud_origins(const scene::CloudLayer& layer, const glm::dvec3& place_world, double time_s);
-/// Of the corner of the tile of the weather map. Grids of one tile are made for it; they are right everywhere and at any
-/// time when the edge of the weather map is a multiple of those of the noise.
+/// Of the corner of the tile of the weather map. Grids of one tile are made for it; they are right everywhere and at
+/// any time when the edge of the weather map is a multiple of those of the noise.
 inline CloudOrigins tile_origins() {
     return {};
 }

@@ -7,8 +7,8 @@ namespace bruma::scene {
 namespace {
 
 /// In the order of CloudType.
-constexpr std::array<std::string_view, 6> names{"clouds-cumulus", "clouds-stratocumulus", "clouds-stratus",
-                                                "altocumulus",    "cirrus",               "cumulonimbus"};
+constexpr std::array<std::string_view, 6> names{
+    "clouds-cumulus", "clouds-stratocumulus", "clouds-stratus", "altocumulus", "cirrus", "cumulonimbus"};
 
 }  // namespace
 
@@ -23,10 +23,10 @@ Scene builtin_cloud_scene(CloudType type) {
     scene.lights["sun"] = Light{.direction_world = {std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
                                                     -std::cos(elevation) * std::cos(azimuth)},
                                 .color = {1.0, 0.95, 0.88},
-                                .intensity = 1.4 * std::numbers::pi};
-    scene.environment = Environment{.radiance = {0.24, 0.34, 0.50}};
-    scene.background = Background{.top = {0.10, 0.22, 0.50}, .bottom = {0.42, 0.55, 0.72}};
-    scene.display = Display{.exposure_ev = -0.3, .tone_map = ToneMap::filmic};
+                                .intensity = 2.0 * std::numbers::pi};
+    scene.environment = Environment{.radiance = {0.20, 0.28, 0.42}};
+    scene.background = Background{.top = {0.06, 0.14, 0.36}, .bottom = {0.36, 0.47, 0.62}};
+    scene.display = Display{.exposure_ev = 0.7, .tone_map = ToneMap::filmic};
     Clouds clouds = preset_clouds(type);
     make_missing_map(clouds);
     Node node;
@@ -34,8 +34,8 @@ Scene builtin_cloud_scene(CloudType type) {
     scene.nodes["sky"] = std::move(node);
     Camera camera;
     camera.eye_world = {0.0, 2.0, 0.0};
-    camera.target_world = camera.eye_world + glm::dvec3(0.5, 0.28, -0.8);
-    camera.vertical_angle_deg = 55.0;
+    camera.target_world = camera.eye_world + glm::dvec3(0.5, 0.3, -0.8);
+    camera.vertical_angle_deg = 42.0;
     camera.near_distance = 0.1;
     scene.camera = camera;
     return scene;

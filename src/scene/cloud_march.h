@@ -5,8 +5,8 @@
 
 namespace bruma::scene {
 
-/// How the optical depth from a point to the sun is found: looked up in a grid made beforehand, or from six samples in a
-/// cone at each point.
+/// How the optical depth from a point to the sun is found: looked up in a grid made beforehand, or from six samples in
+/// a cone at each point.
 enum class CloudSunPath { grid, cone };
 template <>
 inline std::span<const std::string_view> enum_words<CloudSunPath>() {
@@ -58,8 +58,7 @@ void visit_fields(Self& march, Visitor&& visit) {
                 .max = 4.0,
                 .panel_max = 1.0},
           march.optical_step);
-    visit(Field{.name = "big_steps", .sentence = "segments four times longer until something is met"},
-          march.big_steps);
+    visit(Field{.name = "big_steps", .sentence = "segments four times longer until something is met"}, march.big_steps);
     visit(Field{.name = "empty_space_skipping", .sentence = "leap over what the weather map leaves clear"},
           march.empty_space_skipping);
     visit(Field{.name = "detail_where_it_shows", .sentence = "no fine noise where a segment is longer than all of it"},

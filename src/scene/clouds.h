@@ -7,8 +7,8 @@
 
 namespace bruma::scene {
 
-/// A layer of clouds as the content of a node. Clouds stand in the world, not in their node's space: the node's transform
-/// does not move them.
+/// A layer of clouds as the content of a node. Clouds stand in the world, not in their node's space: the node's
+/// transform does not move them.
 struct Clouds {
     Tracked<CloudLayer> layer;
     Tracked<CloudOptics> optics;

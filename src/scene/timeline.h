@@ -17,8 +17,7 @@ template <class Self, class Visitor>
 requires std::same_as<std::remove_const_t<Self>, Timeline>
 void visit_fields(Self& timeline, Visitor&& visit) {
     const auto moment = [](std::string_view name, std::string_view sentence) {
-        return Field{
-            .name = name, .unit = "s", .sentence = sentence, .min = -1e9, .max = 1e9, .panel_max = 3600.0};
+        return Field{.name = name, .unit = "s", .sentence = sentence, .min = -1e9, .max = 1e9, .panel_max = 3600.0};
     };
     visit(moment("now", "the moment that is shown"), timeline.now_s);
     visit(moment("start", "where playing begins"), timeline.start_s);

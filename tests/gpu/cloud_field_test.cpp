@@ -65,8 +65,8 @@ std::vector<glm::vec4> points_in(const scene::CloudLayer& layer, int count) {
 /// The normative noise, once for all tests: making it in double takes seconds.
 std::shared_ptr<const reference::CloudNoise> normative_noise(scene::NoisePacking packing) {
     static const auto channels = reference::make_cloud_noise();
-    static const auto packed = std::make_shared<const reference::CloudNoise>(reference::CloudNoise{
-        reference::packed_shape(channels->shape), reference::packed_detail(channels->detail)});
+    static const auto packed = std::make_shared<const reference::CloudNoise>(
+        reference::CloudNoise{reference::packed_shape(channels->shape), reference::packed_detail(channels->detail)});
     return packing == scene::NoisePacking::packed ? packed : channels;
 }
 
@@ -139,7 +139,8 @@ TEST_F(CloudFieldShader, IntervalsAreThoseOfDoublePrecision) {
             reference::shell_intervals<double>(planet, rays[n].x, rays[n].y, double(rays[n].z), double(rays[n].w));
         const double lengths[2] = {std::max(0.0F, found[n].y - found[n].x), std::max(0.0F, found[n].w - found[n].z)};
         for (int k = 0; k < 2; ++k) {
-            const reference::Interval<double> part = k < exact.count ? exact.parts[std::size_t(k)] : reference::Interval<double>{};
+            const reference::Interval<double> part =
+                k < exact.count ? exact.parts[std::size_t(k)] : reference::Interval<double>{};
             const double apart = std::abs(lengths[k] - (part.end - part.begin));
             // Near a tangent the discriminant cancels: chords of some hundred metres are uncertain, and harmless.
             if (apart > 1e-4 * std::max(1000.0, part.end)) {

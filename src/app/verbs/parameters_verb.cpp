@@ -46,7 +46,8 @@ Verb declare_describe_parameters(CLI::App&) {
     return [] {
         fmt::print(
             "Every parameter of a scene, by the path that --set and scene files use.\n"
-            "In place of nodes.NAME, 'volume' addresses every volume, 'mesh' every mesh, 'clouds' every layer of clouds (clouds.preset=stratus sets all of it); in place of lights.NAME, "
+            "In place of nodes.NAME, 'volume' addresses every volume, 'mesh' every mesh, 'clouds' every layer of "
+            "clouds (clouds.preset=stratus sets all of it); in place of lights.NAME, "
             "'light'.\n\n");
         print_part<scene::Camera>("Camera", "camera.");
         print_part<scene::RenderSettings>("Rendering", "rendering.");

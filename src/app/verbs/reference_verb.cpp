@@ -138,9 +138,9 @@ int reference(const ReferenceArguments& arguments) {
         progress = [](double share) { fmt::print(stderr, "\r{:3.0f} %", 100.0 * share); };
     }
     const auto start = std::chrono::steady_clock::now();
-    const std::string findings = has_clouds              ? draw_clouds(arguments, scene, progress)
+    const std::string findings = has_clouds                 ? draw_clouds(arguments, scene, progress)
                                  : anything_scatters(scene) ? draw_scattering(arguments, scene, progress)
-                                                          : draw_emission_absorption(arguments, scene, progress);
+                                                            : draw_emission_absorption(arguments, scene, progress);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fmt::print(stderr, "{}{} in {:.1f} s\n", talks ? "\r" : "", findings, seconds);
     return int(ExitCode::done);

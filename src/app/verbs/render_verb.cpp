@@ -68,9 +68,10 @@ std::optional<FrameRange> frame_range(const std::string& words) {
             return range;
         }
     }
-    throw InputError(fmt::format("--frames {}: not two numbers of pictures from 0 to 999999, the first not above the "
-                                 "last; write them as 0:99",
-                                 words));
+    throw InputError(
+        fmt::format("--frames {}: not two numbers of pictures from 0 to 999999, the first not above the "
+                    "last; write them as 0:99",
+                    words));
 }
 
 /// The name of one picture of many: cloud.png becomes cloud_0007.png.
@@ -119,7 +120,8 @@ int render(const RenderArguments& arguments, const std::vector<std::string>& com
                                      arguments.output));
     }
     const std::optional<FrameRange> frames = frame_range(arguments.frames);
-    if (frames && (arguments.output == "-" || !arguments.stats.empty() || arguments.explain || arguments.auto_exposure)) {
+    if (frames &&
+        (arguments.output == "-" || !arguments.stats.empty() || arguments.explain || arguments.auto_exposure)) {
         throw InputError(
             "--frames: writes numbered pictures and nothing else; leave out -o -, --stats, --explain and "
             "--auto-exposure");

@@ -32,8 +32,8 @@ void append_content(SceneStamp& stamp, const scene::Scene& scene) {
             stamp.push_back(mesh->surface.revision());
         }
         if (const auto* clouds = std::get_if<scene::Clouds>(&node.content)) {
-            stamp.insert(stamp.end(), {clouds->layer.revision(), clouds->optics.revision(),
-                                       clouds->weather.revision(), clouds->march.revision()});
+            stamp.insert(stamp.end(), {clouds->layer.revision(), clouds->optics.revision(), clouds->weather.revision(),
+                                       clouds->march.revision()});
         }
     }
 }

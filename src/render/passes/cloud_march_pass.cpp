@@ -59,8 +59,8 @@ CloudMarchPass::CloudMarchPass(FrameGraph& graph, gl::ShaderLibrary& shaders, co
     shader_revision_ = graph.add_source<int>("shaders");
     picture = graph.add_product<CloudPicture>(name + ": clouds");
     counts = graph.add_product<CloudCounts>(name + ": cloud counts");
-    march_ = graph.add_pass({name + ": cloud_march", "light of a layer of clouds along every pixel's ray", {},
-                             {picture.index}, {}});
+    march_ = graph.add_pass(
+        {name + ": cloud_march", "light of a layer of clouds along every pixel's ray", {}, {picture.index}, {}});
     count_ = graph.add_pass({name + ": count clouds", "the same, counting lookups", {}, {counts.index}, {}});
 }
 
@@ -86,7 +86,7 @@ void CloudMarchPass::update(const scene::Scene& scene, const scene::Clouds& clou
                                 sun_lean(sun_direction_world(scene)),
                                 inputs.opaque};
     const Handles handles{inputs.passes.weather, inputs.passes.columns, inputs.passes.sun, inputs.noise, inputs.light};
-    std::vector<int> reads{camera_.index,          map_.index,         shader_revision_.index,
+    std::vector<int> reads{camera_.index,         map_.index,          shader_revision_.index,
                            handles.weather.index, handles.noise.index, handles.light.index};
     reads.push_back(clouds.march->sun_path == scene::CloudSunPath::grid ? handles.sun.index : handles.columns.index);
     if (inputs.opaque.index >= 0) {
@@ -130,14 +130,13 @@ void CloudMarchPass::set_optics(gl::Program& program, const Parameters& paramete
     program.set("optics.extinction", float(optics.extinction_per_m));
     program.set("optics.albedo", float(optics.albedo));
     program.set("optics.lobes", glm::vec3(optics.forward_g, optics.backward_g, optics.forward_share));
-    program.set("optics.octave",
-                glm::vec3(optics.octave_strength, optics.octave_extinction, optics.octave_anisotropy));
+    program.set("optics.octave", glm::vec3(optics.octave_strength, optics.octave_extinction, optics.octave_anisotropy));
     program.set("optics.ambient", float(optics.ambient));
     // Absorption counts density over the reference length; what is looked up is an optical depth.
     const double per_depth =
         optics.absorption / (optics.reference_length_m * std::max(optics.extinction_per_m, 1e-300));
-    program.set("optics.look", glm::vec4(optics.in_scatter, optics.out_scatter, optics.in_out_mix,
-                                         std::min(per_depth, 1e30)));
+    program.set("optics.look",
+                glm::vec4(optics.in_scatter, optics.out_scatter, optics.in_out_mix, std::min(per_depth, 1e30)));
     program.set("optics.silver", glm::vec2(optics.silver_intensity, optics.silver_exponent));
     program.set("optics.powder_all", optics.powder == scene::CloudPowder::everywhere ? 1.0F : 0.0F);
 }
@@ -171,8 +170,7 @@ void CloudMarchPass::set_march(const PassAccess& access, gl::Program& program, c
     program.set("pixels", glm::vec2(parameters.pixels));
     program.set("orthographic", camera.projection == scene::Projection::orthographic ? 1 : 0);
     program.set("half_view", glm::vec2(half_view(camera, parameters.pixels, 1.0)));
-    program.set("world_from_camera",
-                glm::mat3(glm::dmat3(frame.right_world, frame.up_world, frame.back_world)));
+    program.set("world_from_camera", glm::mat3(glm::dmat3(frame.right_world, frame.up_world, frame.back_world)));
     program.set("eye_altitude", float(camera.eye_world.y));
     program.set("near_distance", float(camera.near_distance));
     program.set("planet_radius", float(scene::Atmosphere{}.planet_radius_m));
@@ -196,7 +194,8 @@ void CloudMarchPass::set_march(const PassAccess& access, gl::Program& program, c
     blue_noise_.bind(unit);
     program.set("blue_noise", int(unit++));
     if (is_box(layer)) {
-        const glm::dvec2 from_eye(layer.box_center_m[0] - camera.eye_world.x, layer.box_center_m[1] - camera.eye_world.z);
+        const glm::dvec2 from_eye(layer.box_center_m[0] - camera.eye_world.x,
+                                  layer.box_center_m[1] - camera.eye_world.z);
         const glm::dvec2 half = 0.5 * glm::dvec2(layer.box_size_m[0], layer.box_size_m[1]);
         program.set("box", glm::vec4(from_eye - half, from_eye + half));
     }

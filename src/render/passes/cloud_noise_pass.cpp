@@ -65,9 +65,8 @@ CloudNoisePass::CloudNoisePass(FrameGraph& graph, gl::ShaderLibrary& shaders, sc
 
 void CloudNoisePass::update(bool with_coverage_table) {
     graph_.set_parameters(pass_, with_coverage_table);
-    graph_.set_execute(pass_, [this, with_coverage_table](const PassAccess& access) {
-        make(access, with_coverage_table);
-    });
+    graph_.set_execute(pass_,
+                       [this, with_coverage_table](const PassAccess& access) { make(access, with_coverage_table); });
 }
 
 void CloudNoisePass::remove() {

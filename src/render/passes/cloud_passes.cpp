@@ -49,8 +49,11 @@ CloudPasses::CloudPasses(FrameGraph& graph, gl::ShaderLibrary& shaders, const st
     weather = graph.add_product<CloudWeatherTextures>(name + ": weather");
     columns = graph.add_product<CloudColumns>(name + ": columns");
     sun = graph.add_product<CloudSunDepths>(name + ": sun");
-    upload_ = graph.add_pass(
-        {name + ": cloud_weather", "the weather map, and where it leaves the sky clear", {map_.index}, {weather.index}, {}});
+    upload_ = graph.add_pass({name + ": cloud_weather",
+                              "the weather map, and where it leaves the sky clear",
+                              {map_.index},
+                              {weather.index},
+                              {}});
     columns_ = graph.add_pass({name + ": cloud_columns", "optical depth above every point", {}, {columns.index}, {}});
     sun_ = graph.add_pass({name + ": cloud_sun", "optical depth from every point to the sun", {}, {sun.index}, {}});
 }
@@ -92,8 +95,8 @@ void CloudPasses::upload(const PassAccess& access, const scene::CloudLayer& laye
     out.map.upload({GL_RGBA, GL_UNSIGNED_BYTE}, map.rgba.data());
     out.map.set_repeat();
     const CloudCells cells = make_cloud_cells(layer, map);
-    out.emptiness = gl::Texture::make_3d("cloud emptiness", GL_R8UI,
-                                         {CloudCells::edge, CloudCells::edge, CloudCells::slices});
+    out.emptiness =
+        gl::Texture::make_3d("cloud emptiness", GL_R8UI, {CloudCells::edge, CloudCells::edge, CloudCells::slices});
     out.emptiness.set_nearest();
     out.emptiness.upload({GL_RED_INTEGER, GL_UNSIGNED_BYTE}, cells.distance.data());
     access.note(fmt::format("{} x {} texels, {:.0f} % of the cells may hold cloud", map.width, map.height,

@@ -20,8 +20,8 @@ struct CloudSunDepths {
     gl::Texture depths;  ///< towards the sun, up, down; columns lean towards the sun
 };
 
-/// How far columns lean: x and z per metre of altitude. A sun lower than 3.4 degrees is taken for one that stands there,
-/// else columns would lean across half the world.
+/// How far columns lean: x and z per metre of altitude. A sun lower than 3.4 degrees is taken for one that stands
+/// there, else columns would lean across half the world.
 glm::dvec2 sun_lean(const glm::dvec3& to_sun_world);
 
 /// What one layer needs before it is marched: nothing of it depends on the camera, and nothing but the last on the sun.

@@ -27,8 +27,8 @@ Numbers numbers_of(const scene::Scene& scene) {
     const glm::dvec3 irradiance = sun != nullptr ? sun->color * sun->intensity : glm::dvec3(0.0);
     const glm::dvec3 sky = scene.environment->radiance;
     // A Lambert ground under the sun and half a sky.
-    const glm::dvec3 ground = scene::Atmosphere{}.ground_albedo *
-                              (irradiance * std::max(0.0, to_sun.y) * std::numbers::inv_pi + sky);
+    const glm::dvec3 ground =
+        scene::Atmosphere{}.ground_albedo * (irradiance * std::max(0.0, to_sun.y) * std::numbers::inv_pi + sky);
     return {glm::vec4(to_sun, 0.0), glm::vec4(irradiance, 0.0), glm::vec4(sky, 0.0), glm::vec4(ground, 0.0)};
 }
 

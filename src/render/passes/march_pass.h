@@ -51,7 +51,8 @@ class MarchPass {
     using Volumes = std::map<std::string, std::unique_ptr<VolumePasses>>;
     using Lights = std::map<std::string, std::unique_ptr<LightPasses>>;
     /// Hands the graph this frame's sources and parameters. `lights`: of the volumes that scatter.
-    /// `opaque`: the surfaces of all meshes; an empty handle where there are none. `clouds`: one picture for each layer.
+    /// `opaque`: the surfaces of all meshes; an empty handle where there are none. `clouds`: one picture for each
+    /// layer.
     void update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights, Handle<OpaquePicture> opaque,
                 const std::vector<Handle<CloudPicture>>& clouds, const View& view, double step_world);
 
