@@ -1,8 +1,11 @@
 #version 450 core
-// The picture where no volume stands in the scene. OPAQUE: there are surfaces before the background.
-// SKY: a picture of both stands ready.
+// The picture where no volume stands in the scene. OPAQUE: there are surfaces before the background, SKY: a picture of
+// both stands ready, CLOUDS: layers of clouds.
 #ifdef OPAQUE
 #include "include/opaque.glsl"
+#endif
+#ifdef CLOUDS
+#include "include/clouds_over.glsl"
 #endif
 layout(location = 0) out vec4 picture;
 #ifdef SKY
@@ -23,5 +26,8 @@ void main()
 #else
     picture = vec4(background, 0.0);
 #endif
+#endif
+#ifdef CLOUDS
+    picture = with_clouds(vec4(0.0, 0.0, 0.0, 1.0), 0.0, picture);
 #endif
 }

@@ -2,7 +2,7 @@
 // Emission and absorption of measured volumes along each pixel's ray, over the background.
 // VOLUMES: how many. LIT: lights matter; REFLECT: for surfaces (gradient shading), SCATTER: for scattering media, SURFACES:
 // for media that are also shaded as surfaces. GLOW: some volume shines by itself.
-// OPAQUE: rays end at surfaces. SKY: a picture of surfaces and sky stands ready.
+// OPAQUE: rays end at surfaces. SKY: a picture of surfaces and sky stands ready. CLOUDS: there are layers of clouds.
 // SAMPLE_AT_MIDPOINTS, LEAP, STOP_EARLY, COUNT: see include/march.glsl.
 
 #include "include/random.glsl"
@@ -13,6 +13,11 @@
 #include "include/view_ray.glsl"
 #ifdef OPAQUE
 #include "include/opaque.glsl"
+#endif
+
+#ifdef CLOUDS
+#include "include/clouds_over.glsl"
+uniform float metres_per_step;
 #endif
 
 layout(location = 0) out vec4 picture;  // linear radiance; alpha = 1 - transmittance
@@ -91,6 +96,9 @@ void main()
     vec4 behind = vec4(background, 0.0);
 #endif
     if (!(m.t_out > m.t_in)) {
+#ifdef CLOUDS
+        behind = with_clouds(vec4(0.0, 0.0, 0.0, 1.0), 0.0, behind);
+#endif
         picture = behind;
 #ifdef COUNT
         counts = uvec2(0u);
@@ -98,8 +106,12 @@ void main()
         return;
     }
     Marched marched = march(m);
+#ifdef CLOUDS
+    picture = with_clouds(vec4(marched.radiance, marched.transmittance), m.t_in * metres_per_step, behind);
+#else
     picture = vec4(marched.radiance + marched.transmittance * behind.xyz,
                    1.0 - marched.transmittance * (1.0 - behind.w));
+#endif
 #ifdef COUNT
     counts = uvec2(marched.samples, marched.queries);
 #endif

@@ -111,3 +111,15 @@ vec3 detail_noise(vec3 p)
 {
     return vec3(worley_octaves3(p, 2, 80u), worley_octaves3(p, 4, 96u), worley_octaves2(p, 8, 112u));
 }
+
+// One channel of each: the octaves of the detail are linear in it, the base of the shape is not.
+float packed_detail(vec3 detail)
+{
+    return dot(detail, vec3(0.625, 0.25, 0.125));
+}
+
+float packed_shape(vec4 shape)
+{
+    float octaves = dot(shape.gba, vec3(0.625, 0.25, 0.125));
+    return (shape.r - (octaves - 1.0)) / (2.0 - octaves);
+}

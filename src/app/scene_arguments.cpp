@@ -120,6 +120,7 @@ void SceneArguments::declare(CLI::App& app, bool with_view) {
         app.add_option("--size", size, "pixels of the picture, as 1280x720");
         app.add_option("--camera", camera,
                        "front, back, left, right, top, bottom, or AZIMUTH,ELEVATION[,ZOOM] in degrees");
+        app.add_option("--time", time_s, "seconds: the moment that is shown");
         app.add_option("--up", up, "axis that is up in the picture: x, -x, y, -y, z, -z");
     }
 }
@@ -219,6 +220,12 @@ scene::Scene open_scene(const SceneArguments& arguments, const io::Progress& pro
     place_camera(scene, double(pixels.x) / pixels.y, arguments.camera, arguments.up);
     if (!camera_settings.empty()) {
         scene = io::with_settings(scene, camera_settings, progress, presets);
+    }
+    if (arguments.time_s) {
+        if (!std::isfinite(*arguments.time_s)) {
+            throw InputError(fmt::format("--time {}: no moment; give seconds", *arguments.time_s));
+        }
+        scene.time.edit([&](scene::Timeline& timeline) { timeline.now_s = *arguments.time_s; });
     }
     scene::check(scene);
     return scene;

@@ -1,5 +1,6 @@
 #pragma once
 #include <CLI/App.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct SceneArguments {
     std::string size = "1280x720";
     std::string camera;
     std::string up;
+    std::optional<double> time_s;
 
     void declare(CLI::App& app, bool with_view);
     /// Throws InputError for words that are no layout.

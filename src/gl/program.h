@@ -23,6 +23,7 @@ class Program : public Object<ProgramTraits> {
     void set(const char* uniform, float value) { glProgramUniform1f(name(), at(uniform), value); }
     void set(const char* uniform, glm::vec2 v) { glProgramUniform2f(name(), at(uniform), v.x, v.y); }
     void set(const char* uniform, glm::vec3 v) { glProgramUniform3f(name(), at(uniform), v.x, v.y, v.z); }
+    void set(const char* uniform, glm::vec4 v) { glProgramUniform4f(name(), at(uniform), v.x, v.y, v.z, v.w); }
     void set(const char* uniform, glm::ivec2 v) { glProgramUniform2i(name(), at(uniform), v.x, v.y); }
     void set(const char* uniform, glm::ivec3 v) { glProgramUniform3i(name(), at(uniform), v.x, v.y, v.z); }
     void set(const char* uniform, glm::ivec4 v) { glProgramUniform4i(name(), at(uniform), v.x, v.y, v.z, v.w); }

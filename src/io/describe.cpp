@@ -103,6 +103,10 @@ std::string scene_text(const std::string& path) {
             const glm::dvec3 extent_mm = 1e3 * (triangles.high - triangles.low);
             text += fmt::format("  mesh   {}: {}, {} triangles, {:.4g} x {:.4g} x {:.4g} mm\n", name, mesh->source.file,
                                 triangles.triangles.size(), extent_mm.x, extent_mm.y, extent_mm.z);
+        } else if (const auto* clouds = std::get_if<scene::Clouds>(&node.content)) {
+            text +=
+                fmt::format("  clouds {}: {:g} to {:g} m, coverage {:g}, weather {}\n", name, clouds->layer->bottom_m,
+                            clouds->layer->top_m, clouds->layer->coverage, (*clouds->map)->name);
         } else {
             text += fmt::format("  group  {}\n", name);
         }

@@ -15,6 +15,7 @@
 #include "io/scene_file.h"
 #include "io/scene_json.h"
 #include "io/scene_settings.h"
+#include "io/weather_file.h"
 #include "scene/builtin.h"
 #include "scene/mesh_builtin.h"
 
@@ -90,9 +91,8 @@ double way_out(const scene::Scene& scene, const scene::Bounds& box) {
     return overlap(taken, box) ? taken.high.x + gap - box.low.x : 0.0;
 }
 
-void add_node(scene::Scene& scene, const std::string& name,
-              std::variant<scene::Group, scene::Volume, scene::Mesh> content, const scene::Bounds& box,
-              const scene::Transform& turn = {}) {
+void add_node(scene::Scene& scene, const std::string& name, decltype(scene::Node::content) content,
+              const scene::Bounds& box, const scene::Transform& turn = {}) {
     scene::Node node;
     node.transform = turn;
     node.transform.edit([&](scene::Transform& transform) { transform.translation.x = way_out(scene, box); });
@@ -228,6 +228,7 @@ scene::Scene with_settings(const scene::Scene& scene, std::span<const std::strin
     scene::Scene changed = from_json(document, "--set", preset_folders);
     load_missing_grids(changed, &scene, progress);
     load_missing_meshes(changed, &scene, progress);
+    load_missing_weather(changed, &scene);
     return changed;
 }
 

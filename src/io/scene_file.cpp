@@ -12,6 +12,7 @@
 #include "io/mesh_source.h"
 #include "io/scene_json.h"
 #include "io/scene_settings.h"
+#include "io/weather_file.h"
 
 namespace bruma::io {
 namespace {
@@ -32,6 +33,10 @@ void for_each_file(scene::Scene& scene, const std::function<fs::path(const fs::p
         }
         if (mesh != nullptr && !mesh->source.texture.empty()) {
             mesh->source.texture = change(mesh->source.texture).string();
+        }
+        if (auto* clouds = std::get_if<scene::Clouds>(&node.content); clouds && !clouds->weather->file.empty()) {
+            clouds->weather.edit(
+                [&](scene::CloudWeatherSource& source) { source.file = change(source.file).string(); });
         }
     }
 }
@@ -89,6 +94,7 @@ scene::Scene read_scene_file(const fs::path& path, const Progress& progress,
     try {
         load_missing_grids(scene, nullptr, progress);
         load_missing_meshes(scene, nullptr, progress);
+        load_missing_weather(scene, nullptr);
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", path.string(), error.what()));
     }

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "io/clouds_json.h"
 #include "io/json_fields.h"
 #include "io/transfer_function_file.h"
 
@@ -13,7 +14,7 @@ namespace {
 constexpr const char* version_key = "bruma_scene";
 constexpr std::int64_t version = 1;
 /// In the order of the alternatives of scene::Node::content.
-constexpr std::array<std::string_view, 3> node_kinds{"group", "volume", "mesh"};
+constexpr std::array<std::string_view, 4> node_kinds{"group", "volume", "mesh", "clouds"};
 
 template <class T>
 json fields_json(const T& from) {
@@ -37,6 +38,8 @@ json node_json(const scene::Node& node) {
         object["source"] = fields_json(mesh->source);
         object["subsurface"] = fields_json(*mesh->subsurface);
         write_fields(*mesh->surface, object);
+    } else if (const auto* clouds = std::get_if<scene::Clouds>(&node.content)) {
+        write_clouds(*clouds, object);
     }
     return object;
 }
@@ -108,8 +111,8 @@ scene::Node read_node(const json& object, const std::string& where, const Folder
     scene::Node node;
     const auto kind = object.find("kind");
     if (kind == object.end()) {
-        throw InputError(
-            fmt::format("{}: missing; expected \"volume\", \"mesh\" or \"group\"", join_path(where, "kind")));
+        throw InputError(fmt::format("{}: missing; expected \"volume\", \"mesh\", \"clouds\" or \"group\"",
+                                     join_path(where, "kind")));
     }
     const std::string_view word = node_kinds[read_word(*kind, join_path(where, "kind"), node_kinds)];
     if (word == "volume") {
@@ -118,6 +121,9 @@ scene::Node read_node(const json& object, const std::string& where, const Folder
     } else if (word == "mesh") {
         require_node_keys<scene::MeshSurface>(object, where, {"source", "subsurface"});
         node.content = read_mesh(object, where);
+    } else if (word == "clouds") {
+        require_node_keys<scene::CloudLayer>(object, where, {"preset", "optics", "weather", "march"});
+        node.content = read_clouds(object, where);
     } else {
         require_known_keys(object, where, {"kind", "parent", "visible", "transform"});
     }
@@ -168,6 +174,7 @@ json to_json(const scene::Scene& scene) {
                   {"environment", fields_json(*scene.environment)},
                   {"rendering", fields_json(*scene.rendering)},
                   {"display", fields_json(*scene.display)},
+                  {"time", fields_json(*scene.time)},
                   {"lights", json::object()},
                   {"nodes", json::object()}};
     if (scene.camera) {
@@ -193,7 +200,7 @@ scene::Scene from_json(const json& document, const std::string& where, const Fol
     check_version(document, version_key, version, where);
     require_known_keys(document, top,
                        {version_key, "camera", "sky", "sun", "atmosphere", "background", "environment", "rendering",
-                        "display", "lights", "nodes"});
+                        "display", "time", "lights", "nodes"});
     scene::Scene scene;
     if_present(document, top, "camera", [&](const json& from, const std::string& here) {
         if (!from.is_null()) {
@@ -212,6 +219,9 @@ scene::Scene from_json(const json& document, const std::string& where, const Fol
     });
     if_present(document, top, "display", [&](const json& from, const std::string& here) {
         scene.display = read_fields<scene::Display>(from, here);
+    });
+    if_present(document, top, "time", [&](const json& from, const std::string& here) {
+        scene.time = read_fields<scene::Timeline>(from, here);
     });
     if_present(document, top, "lights", [&](const json& lights, const std::string& here) {
         for_each_named(lights, here, [&](const std::string& name, const json& from, const std::string& path) {

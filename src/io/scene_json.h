@@ -11,12 +11,14 @@ namespace bruma::io {
 /// A scene as a document: every field of every part under its name in the table of parameters (scene/field.h).
 ///
 ///     { "bruma_scene": 1, "camera": {...}, "sky": {...}, "sun": {...}, "atmosphere": {...}, "background": {...},
-///     "rendering": {...}, "display": {...},
+///       "rendering": {...}, "display": {...}, "time": {...},
 ///       "lights": { NAME: {...} },
 ///       "nodes": { NAME: { "kind": "volume" or "group", "parent": NAME or "", "visible": true, "transform": {...},
 ///                          "source": {...}, "transfer_function": {...} or a preset's name, "clip": {...},
 ///                          and the fields of VolumeOptics },
-///                  NAME: { "kind": "mesh", ..., "source": {...}, and the fields of MeshSurface } } }
+///                  NAME: { "kind": "mesh", ..., "source": {...}, and the fields of MeshSurface },
+///                  NAME: { "kind": "clouds", ..., "preset": NAME to start from, "optics": {...}, "weather": {...},
+///                          "march": {...}, and the fields of CloudLayer } } }
 ///
 /// Grids and triangles are not part of it; `camera` is left out until someone has chosen it, and `sky`, `sun` and
 /// `atmosphere` indoors.

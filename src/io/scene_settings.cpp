@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "io/clouds_json.h"
 #include "io/json_fields.h"
 #include "scene/camera.h"
 #include "scene/sky.h"
@@ -117,6 +118,27 @@ void make_if_missing(json& document, const std::string& asked, const char* name)
     }
 }
 
+/// A preset is no parameter but many: `clouds.preset` and `nodes.NAME.preset` write all of them into the document.
+bool set_cloud_presets(json& document, const std::vector<std::string>& parts, const std::string& value) {
+    std::vector<json*> targets;
+    if (parts.size() == 2 && parts.front() == "clouds") {
+        targets = all_of_kind(document, "clouds");
+    } else if (parts.front() == "nodes" && document.contains("nodes")) {
+        std::string name;
+        for (std::size_t n = 1; n + 1 < parts.size(); ++n) {
+            name += (n == 1 ? "" : ".") + parts[n];
+        }
+        const auto node = document["nodes"].find(name);
+        if (node != document["nodes"].end() && node->is_object() && node->value("kind", json()) == json("clouds")) {
+            targets.push_back(&*node);
+        }
+    }
+    for (json* target : targets) {
+        write_cloud_preset(json(value), "--set clouds.preset", *target);
+    }
+    return !targets.empty();
+}
+
 }  // namespace
 
 void apply_setting(json& scene_document, std::string_view path_equals_value) {
@@ -130,7 +152,10 @@ void apply_setting(json& scene_document, std::string_view path_equals_value) {
     require_object(scene_document, "");
     const std::string value(path_equals_value.substr(equals + 1));
     const std::string& first = parts.front();
-    if (first == "volume" || first == "mesh" || first == "group" || first == "light") {
+    if (parts.back() == "preset" && set_cloud_presets(scene_document, parts, value)) {
+        return;
+    }
+    if (first == "volume" || first == "mesh" || first == "clouds" || first == "group" || first == "light") {
         const std::vector<json*> targets = all_of_kind(scene_document, first);
         if (targets.empty()) {
             walk.fail(fmt::format("there is no {} in the scene to change", first));

@@ -102,8 +102,8 @@ void Renderer::update_passes(const scene::Scene& scene, const View& view) {
         if (sky_) {
             sky_->update(scene, opaque, view.pixels);
         }
-        march_.update(scene, volumes_, lights_, opaque, {view.pixels, view.step_scale}, step,
-                      sky_ ? sky_->picture : Handle<SkyPicture>{});
+        march_.update(scene, volumes_, lights_, opaque, update_clouds(scene, view), {view.pixels, view.step_scale},
+                      step, sky_ ? sky_->picture : Handle<SkyPicture>{});
     }
 }
 
@@ -173,6 +173,22 @@ std::optional<TranslucentStanding> Renderer::translucent_standing() const {
     const OpaquePicture* const opaque = graph_.product(opaque_->picture);
     standing.unseen_pixels = opaque == nullptr ? 0 : opaque->unseen;
     return standing;
+}
+
+std::vector<Handle<CloudPicture>> Renderer::update_clouds(const scene::Scene& scene, const View& view) {
+    const std::vector<std::string> shown = scene::shown_clouds(scene);
+    if (shown.empty()) {
+        if (clouds_) {
+            clouds_->remove();
+            clouds_.reset();
+        }
+        return {};
+    }
+    if (!clouds_) {
+        clouds_ = std::make_unique<Clouds>(graph_, shaders_);
+    }
+    return clouds_->update(scene, shown, opaque_ ? opaque_->picture : Handle<OpaquePicture>{},
+                           sky_ ? sky_->light : Handle<SkyLight>{}, view.pixels, view.step_scale);
 }
 
 void Renderer::update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world) {

@@ -5,6 +5,7 @@
 
 #include "base/image.h"
 #include "gl/shader_library.h"
+#include "render/clouds.h"
 #include "render/frame_graph.h"
 #include "render/passes/march_pass.h"
 #include "render/passes/path_trace_pass.h"
@@ -71,6 +72,8 @@ class Renderer {
     void update_passes(const scene::Scene& scene, const View& view);
     void update_meshes(const scene::Scene& scene, const std::vector<std::string>& shown, const View& view);
     void update_translucent(const scene::Scene& scene, const std::vector<std::string>& shown, const View& view);
+    /// The pictures of all shown layers of clouds.
+    std::vector<Handle<CloudPicture>> update_clouds(const scene::Scene& scene, const View& view);
     void update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world);
     int wanted_picture() const { return path_traced_ ? path_trace_.paths.index : march_.picture.index; }
 
@@ -85,6 +88,7 @@ class Renderer {
     std::unique_ptr<SkyPasses> sky_;         ///< none indoors
     OpaquePass::Translucents translucents_;  ///< of the meshes that light enters
     std::unique_ptr<OpaquePass> opaque_;     ///< none while no mesh is shown
+    std::unique_ptr<Clouds> clouds_;         ///< none while no clouds are shown
     bool said_no_meshes_ = false, said_no_sky_ = false;
 };
 

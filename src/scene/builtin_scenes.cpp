@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "scene/builtin.h"
+#include "scene/builtin_clouds.h"
 #include "scene/mesh_builtin.h"
 
 namespace bruma::scene {
@@ -207,6 +208,9 @@ std::vector<std::string> builtin_scene_names() {
     for (const BuiltinScene& builtin : builtin_scenes) {
         names.emplace_back(builtin.name);
     }
+    for (const std::string_view name : builtin_cloud_scenes()) {
+        names.emplace_back(name);
+    }
     return names;
 }
 
@@ -214,6 +218,12 @@ Scene builtin_scene(const std::string& name) {
     for (const BuiltinScene& builtin : builtin_scenes) {
         if (name == builtin.name) {
             return builtin.make();
+        }
+    }
+    const auto cloud_scenes = builtin_cloud_scenes();
+    for (std::size_t n = 0; n < cloud_scenes.size(); ++n) {
+        if (name == cloud_scenes[n]) {
+            return builtin_cloud_scene(CloudType(n));
         }
     }
     throw InputError(

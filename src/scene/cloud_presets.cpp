@@ -2,6 +2,7 @@
 
 namespace bruma::scene {
 
+// Edges of weather maps are multiples of those of the noise, so that the whole pattern repeats with the map.
 Cloud cloud_preset(CloudType type) {
     Cloud cloud;
     switch (type) {
@@ -17,6 +18,7 @@ Cloud cloud_preset(CloudType type) {
             cloud.layer.coverage = 1.0;
             cloud.layer.density = 0.2;
             cloud.layer.shape_tile_m = 6000.0;
+            cloud.layer.weather_tile_m = 36000.0;
             cloud.layer.wind_speed_m_s = 5.0;
             cloud.weather.pattern = WeatherPattern::overcast;
             break;

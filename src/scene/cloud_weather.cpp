@@ -98,7 +98,7 @@ class Pattern {
         switch (pattern_) {
             case WeatherPattern::scattered: {
                 const double heap = heaps_(u, v) + 0.15 * (slow - 0.5);
-                return {smooth(heap, 0.3, 0.6), smooth(heap, 0.1, 0.4), between(0.6, 1.0, heap), 0.5};
+                return {smooth(heap, 0.5, 0.75), smooth(heap, 0.36, 0.64), between(0.6, 1.0, heap), 0.5};
             }
             case WeatherPattern::overcast: {
                 const double closed = between(0.8, 1.0, 0.5 * (slow + fast_.value(u, v)));

@@ -141,6 +141,9 @@ void check(const Scene& scene) {
         if (const auto* mesh = std::get_if<Mesh>(&node.content)) {
             check_mesh(name, *mesh);
         }
+        if (const auto* clouds = std::get_if<Clouds>(&node.content)) {
+            check(*clouds->layer, "nodes." + name);
+        }
     }
     for (const auto& [name, light] : scene.lights) {
         const bool aimed = light->kind == LightKind::directional || light->kind == LightKind::spot;
@@ -205,6 +208,10 @@ std::vector<std::string> shown_volumes(const Scene& scene) {
 
 std::vector<std::string> shown_meshes(const Scene& scene) {
     return shown_nodes_with<Mesh>(scene);
+}
+
+std::vector<std::string> shown_clouds(const Scene& scene) {
+    return shown_nodes_with<Clouds>(scene);
 }
 
 }  // namespace bruma::scene

@@ -7,10 +7,12 @@
 
 #include "base/revision.h"
 #include "scene/camera.h"
+#include "scene/clouds.h"
 #include "scene/light.h"
 #include "scene/mesh.h"
 #include "scene/rendering.h"
 #include "scene/sky.h"
+#include "scene/timeline.h"
 #include "scene/volume.h"
 
 namespace bruma::scene {
@@ -47,7 +49,7 @@ struct Node {
     std::string parent;  ///< name of another node; empty: the world
     bool visible = true;
     Tracked<Transform> transform;
-    std::variant<Group, Volume, Mesh> content;
+    std::variant<Group, Volume, Mesh, Clouds> content;
 };
 
 /// Sun and air around everything. The ground is y = 0, and the planet goes with the camera: up is y and the altitude of
@@ -68,6 +70,7 @@ struct Scene {
     Tracked<Environment> environment;
     Tracked<RenderSettings> rendering;
     Tracked<Display> display;
+    Tracked<Timeline> time;
     std::map<std::string, Tracked<Light>> lights;
     std::map<std::string, Node> nodes;
 };
@@ -99,5 +102,7 @@ Camera fit_camera(const Bounds& bounds, double aspect, glm::dvec3 back_world = {
 std::vector<std::string> shown_volumes(const Scene& scene);
 /// Names of all shown mesh nodes, in order.
 std::vector<std::string> shown_meshes(const Scene& scene);
+/// Names of all shown nodes with clouds, in order.
+std::vector<std::string> shown_clouds(const Scene& scene);
 
 }  // namespace bruma::scene

@@ -46,7 +46,8 @@ Verb declare_describe_parameters(CLI::App&) {
     return [] {
         fmt::print(
             "Every parameter of a scene, by the path that --set and scene files use.\n"
-            "In place of nodes.NAME, 'volume' addresses every volume, 'mesh' every mesh; in place of lights.NAME, "
+            "In place of nodes.NAME, 'volume' addresses every volume, 'mesh' every mesh, 'clouds' every layer of "
+            "clouds (clouds.preset=stratus sets all of it); in place of lights.NAME, "
             "'light'.\n\n");
         print_part<scene::Camera>("Camera", "camera.");
         print_part<scene::RenderSettings>("Rendering", "rendering.");
@@ -56,6 +57,7 @@ Verb declare_describe_parameters(CLI::App&) {
         print_part<scene::Sun>("Sun", "sun.");
         print_part<scene::Atmosphere>("Air", "atmosphere.");
         print_part<scene::Environment>("Environment", "environment.");
+        print_part<scene::Timeline>("Time", "time.");
         print_part<scene::Light>("Lights", "lights.NAME.");
         print_part<scene::Transform>("Nodes", "nodes.NAME.transform.");
         print_part<scene::VolumeOptics>("Volumes", "nodes.NAME.");
@@ -66,6 +68,10 @@ Verb declare_describe_parameters(CLI::App&) {
         print_part<scene::MeshSurface>("Meshes", "nodes.NAME.");
         print_part<scene::SubsurfaceSettings>("", "nodes.NAME.subsurface.");
         print_part<scene::MeshSource>("", "nodes.NAME.source.");
+        print_part<scene::CloudLayer>("Clouds", "nodes.NAME.");
+        print_part<scene::CloudOptics>("", "nodes.NAME.optics.");
+        print_part<scene::CloudWeatherSource>("", "nodes.NAME.weather.");
+        print_part<scene::CloudMarch>("", "nodes.NAME.march.");
         return 0;
     };
 }

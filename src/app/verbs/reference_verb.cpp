@@ -15,6 +15,7 @@
 #include "base/log.h"
 #include "io/atomic_file.h"
 #include "io/picture_file.h"
+#include "reference/render_clouds.h"
 #include "reference/render_scattering.h"
 
 namespace bruma::app {
@@ -95,6 +96,28 @@ std::string draw_scattering(const ReferenceArguments& arguments, const scene::Sc
         result.largest_error, result.rms_error, cut_off, options.samples, 1e-6 * double(result.evaluations));
 }
 
+/// The model of light of the scene's clouds by a fine march, or all orders of scattering by random paths.
+std::string draw_clouds(const ReferenceArguments& arguments, const scene::Scene& scene,
+                        const std::function<void(double)>& progress) {
+    reference::CloudImageOptions options{.progress = progress};
+    const bool multiple = arguments.light == "multiple";
+    options.paths = multiple ? reference::LightPaths::multiple : reference::LightPaths::single;
+    options.march.tolerance = arguments.tolerance.value_or(1e-3);
+    options.samples = std::uint32_t(arguments.scattering.samples);
+    const glm::ivec2 pixels = arguments.scene.pixels();
+    const auto result = reference::render_clouds(scene, pixels.x, pixels.y, options);
+    std::vector<float> error;
+    error.reserve(result.error.size());
+    for (const glm::vec3& channels : result.error) {
+        error.push_back(std::max({channels.x, channels.y, channels.z}));
+    }
+    io::write_exr(arguments.output, result.image, {{"error", error}});
+    return fmt::format("clouds {}: at most {:.2g}, RMS {:.2g} (display range 1); {:.1f} M {}",
+                       multiple ? "by all orders of scattering, standard error" : "as modelled, stated error",
+                       result.largest_error, result.rms_error, 1e-6 * double(result.evaluations),
+                       multiple ? "collisions" : "samples");
+}
+
 int reference(const ReferenceArguments& arguments) {
     if (io::picture_format(arguments.output) != io::PictureFormat::exr) {
         throw InputError(
@@ -102,7 +125,8 @@ int reference(const ReferenceArguments& arguments) {
     }
     io::require_writable(arguments.output);
     const scene::Scene scene = open_scene(arguments.scene);
-    if (const auto meshes = scene::shown_meshes(scene); !meshes.empty()) {
+    const bool has_clouds = !scene::shown_clouds(scene).empty();
+    if (const auto meshes = scene::shown_meshes(scene); !meshes.empty() && !has_clouds) {
         throw InputError(
             fmt::format("nodes.{0}: is a mesh, and there is no reference for meshes yet; --set nodes.{0}.visible=false "
                         "leaves it out",
@@ -114,8 +138,9 @@ int reference(const ReferenceArguments& arguments) {
         progress = [](double share) { fmt::print(stderr, "\r{:3.0f} %", 100.0 * share); };
     }
     const auto start = std::chrono::steady_clock::now();
-    const std::string findings = anything_scatters(scene) ? draw_scattering(arguments, scene, progress)
-                                                          : draw_emission_absorption(arguments, scene, progress);
+    const std::string findings = has_clouds                 ? draw_clouds(arguments, scene, progress)
+                                 : anything_scatters(scene) ? draw_scattering(arguments, scene, progress)
+                                                            : draw_emission_absorption(arguments, scene, progress);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fmt::print(stderr, "{}{} in {:.1f} s\n", talks ? "\r" : "", findings, seconds);
     return int(ExitCode::done);

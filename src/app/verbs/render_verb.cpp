@@ -1,7 +1,9 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <memory>
+#include <optional>
 
 #include "app/exposure.h"
 #include "app/frame_statistics.h"
@@ -25,6 +27,7 @@ struct RenderArguments {
     std::string context = "auto";
     std::string stats;
     std::string graph;
+    std::string frames;
     bool explain = false;
     bool auto_exposure = false;
     int repeats = 5;
@@ -46,6 +49,38 @@ void check_room(glm::ivec2 pixels) {
     }
 }
 
+/// Numbers of the first and the last picture of --frames.
+struct FrameRange {
+    int first = 0, last = 0;
+};
+
+std::optional<FrameRange> frame_range(const std::string& words) {
+    if (words.empty()) {
+        return std::nullopt;
+    }
+    FrameRange range;
+    const char* const end = words.data() + words.size();
+    const auto first = std::from_chars(words.data(), end, range.first);
+    if (first.ec == std::errc() && first.ptr != end && *first.ptr == ':') {
+        const auto last = std::from_chars(first.ptr + 1, end, range.last);
+        if (last.ec == std::errc() && last.ptr == end && range.first >= 0 && range.last >= range.first &&
+            range.last < 1'000'000) {
+            return range;
+        }
+    }
+    throw InputError(
+        fmt::format("--frames {}: not two numbers of pictures from 0 to 999999, the first not above the "
+                    "last; write them as 0:99",
+                    words));
+}
+
+/// The name of one picture of many: cloud.png becomes cloud_0007.png.
+std::string numbered(const std::string& output, int frame) {
+    const std::filesystem::path path(output);
+    const std::string name = fmt::format("{}_{:04}{}", path.stem().string(), frame, path.extension().string());
+    return (path.parent_path() / name).string();
+}
+
 /// Gives the scene the exposure that suits its picture, and says which.
 void expose(scene::Scene& scene, const Image& picture) {
     if (const std::optional<double> ev = suitable_exposure_ev(picture)) {
@@ -56,12 +91,40 @@ void expose(scene::Scene& scene, const Image& picture) {
     }
 }
 
+void write(const std::string& output, const render::Renderer& renderer, render::Presenter& presenter,
+           const scene::Scene& scene) {
+    if (io::picture_format(output) == io::PictureFormat::png) {
+        const glm::ivec2 pixels(renderer.picture().color.size());
+        io::write_png(output, {pixels.x, pixels.y, presenter.read(renderer.picture(), *scene.display)});
+    } else {
+        io::write_picture(output, renderer.read_picture(), {});
+    }
+}
+
+/// Pictures one by one, `frame_rate` to the second from the scene's moment on. What they share is kept between them.
+void write_frames(const FrameRange& range, const std::string& output, scene::Scene& scene, const render::View& view,
+                  render::Renderer& renderer, render::Presenter& presenter) {
+    const scene::Timeline timeline = *scene.time;
+    for (int frame = range.first; frame <= range.last; ++frame) {
+        scene.time.edit([&](scene::Timeline& moved) { moved.now_s = timeline.now_s + frame / timeline.frame_rate; });
+        renderer.render(scene, view);
+        write(numbered(output, frame), renderer, presenter, scene);
+    }
+}
+
 int render(const RenderArguments& arguments, const std::vector<std::string>& command_line) {
     const glm::ivec2 pixels = arguments.scene.pixels();
     const io::PictureFormat format = io::picture_format(arguments.output);
     if (arguments.auto_exposure && format != io::PictureFormat::png) {
         throw InputError(fmt::format("--auto-exposure: {} holds radiance, which no exposure changes; write a .png",
                                      arguments.output));
+    }
+    const std::optional<FrameRange> frames = frame_range(arguments.frames);
+    if (frames &&
+        (arguments.output == "-" || !arguments.stats.empty() || arguments.explain || arguments.auto_exposure)) {
+        throw InputError(
+            "--frames: writes numbered pictures and nothing else; leave out -o -, --stats, --explain and "
+            "--auto-exposure");
     }
     for (const std::string& output : {arguments.output, arguments.stats, arguments.graph}) {
         if (!output.empty() && output != "-") {
@@ -78,16 +141,16 @@ int render(const RenderArguments& arguments, const std::vector<std::string>& com
     render::Renderer renderer(shaders);
     render::Presenter presenter(shaders);
     const render::View view{pixels, 1.0, arguments.paths};
+    if (frames) {
+        write_frames(*frames, arguments.output, scene, view, renderer, presenter);
+        return int(ExitCode::done);
+    }
     const render::RunReport& report = renderer.render(scene, view, arguments.explain);
 
     if (arguments.auto_exposure) {
         expose(scene, renderer.read_picture());
     }
-    if (format == io::PictureFormat::png) {
-        io::write_png(arguments.output, {pixels.x, pixels.y, presenter.read(renderer.picture(), *scene.display)});
-    } else {
-        io::write_picture(arguments.output, renderer.read_picture(), {});
-    }
+    write(arguments.output, renderer, presenter, scene);
     if (arguments.explain) {
         fmt::print(stderr, "{} through {}: {}\n{}", driver.renderer, context->way(), driver.version,
                    explanation(report));
@@ -112,6 +175,8 @@ Verb declare_render(CLI::App& app, const std::vector<std::string>& command_line)
                    "picture to write: .png, .hdr or .exr; '-' is PNG on standard output")
         ->required();
     app.add_option("--context", arguments->context, "auto, egl or osmesa");
+    app.add_option("--frames", arguments->frames,
+                   "A:B: pictures A to B, numbered, time.frame_rate to the second from the scene's moment on");
     app.add_option("--stats", arguments->stats, "JSON file: what each pass did, samples, time beside brute force");
     app.add_option("--repeats", arguments->repeats, "how often --stats draws each frame")->check(CLI::Range(1, 1000));
     app.add_option("--samples", arguments->paths.samples,

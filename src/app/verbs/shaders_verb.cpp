@@ -119,10 +119,43 @@ Variants sky_variants() {
     return variants;
 }
 
+Variants cloud_variants() {
+    Variants variants;
+    for (int bits = 0; bits < 256; ++bits) {
+        gl::Defines defines;
+        const auto add = [&](int bit, const char* name) {
+            if (bits & bit) {
+                defines[name] = "";
+            }
+        };
+        add(1, "BOX");
+        add(2, "OPAQUE");
+        add(4, "CONE");
+        add(8, "LEAP");
+        add(16, "BIG_STEPS");
+        add(32, "STOP_EARLY");
+        add(64, "ADAPT");
+        add(128, "COUNT");
+        if (bits & 1) {
+            defines["ARTISTIC"] = "";
+        } else {
+            defines["OCTAVES"] = "8";
+            add(2, "HALVING");
+        }
+        variants.push_back(defines);
+    }
+    return variants;
+}
+
 /// Every combination of the switches that the passes use.
 Variants variants_of(const std::string& file) {
     if (file == "background.frag") {
-        return {{}, {{"OPAQUE", ""}}, {{"SKY", ""}}};
+        return {{},
+                {{"OPAQUE", ""}},
+                {{"SKY", ""}},
+                {{"CLOUDS", "1"}},
+                {{"OPAQUE", ""}, {"CLOUDS", "3"}},
+                {{"SKY", ""}, {"CLOUDS", "1"}}};
     }
     if (file == "sky.frag") {
         return sky_variants();
@@ -156,7 +189,13 @@ Variants variants_of(const std::string& file) {
         return {{}, {{"ALBEDO", ""}}};
     }
     if (file == "cloud_noise.comp") {
-        return {{{"TEXEL_FORMAT", "rgba8"}}, {{"TEXEL_FORMAT", "rgba32f"}}};
+        return {{{"TEXEL_FORMAT", "rgba8"}}, {{"TEXEL_FORMAT", "rgba32f"}}, {{"TEXEL_FORMAT", "r16"}, {"PACKED", ""}}};
+    }
+    if (file == "cloud_columns.comp" || file == "cloud_sun.comp") {
+        return {{}, {{"OVERLAY", ""}, {"FOLLOWS_TOP", ""}, {"LINEAR_COVERAGE", ""}, {"PACKED", ""}}};
+    }
+    if (file == "cloud_march.frag") {
+        return cloud_variants();
     }
     return {{}};
 }

@@ -37,6 +37,10 @@ void append_content(SceneStamp& stamp, const scene::Scene& scene) {
             stamp.push_back(mesh->surface.revision());
             stamp.push_back(mesh->subsurface.revision());
         }
+        if (const auto* clouds = std::get_if<scene::Clouds>(&node.content)) {
+            stamp.insert(stamp.end(), {clouds->layer.revision(), clouds->optics.revision(), clouds->weather.revision(),
+                                       clouds->march.revision()});
+        }
     }
 }
 

@@ -63,19 +63,24 @@ MarchPass::MarchPass(FrameGraph& graph, gl::ShaderLibrary& shaders) : graph_(gra
 }
 
 void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights,
-                       Handle<OpaquePicture> opaque, const View& view, double step_world, Handle<SkyPicture> sky) {
+                       Handle<OpaquePicture> opaque, const std::vector<Handle<CloudPicture>>& clouds, const View& view,
+                       double step_world, Handle<SkyPicture> sky) {
     graph_.set_source(camera_, **scene.camera, scene.camera->revision());
     graph_.set_source(background_, *scene.background, scene.background.revision());
     graph_.set_source(shader_revision_, 0, shaders_.revision());
 
     const double skipped = skipped_distance(**scene.camera, scene::world_bounds(scene));
-    Parameters parameters{view, *scene.rendering, step_world * view.step_scale, skipped, opaque, {}, {}, false, sky};
+    Parameters parameters{view, *scene.rendering, step_world * view.step_scale, skipped, opaque, clouds, {}, {}, false,
+                          sky};
     const std::vector<std::string> shining = order_lights(scene);
     std::vector<int> reads{camera_.index, background_.index, shader_revision_.index};
     for (const int behind : {opaque.index, sky.index}) {
         if (behind >= 0) {
             reads.push_back(behind);
         }
+    }
+    for (const Handle<CloudPicture> layer : clouds) {
+        reads.push_back(layer.index);
     }
     for (const auto& [name, passes] : volumes) {
         const auto& volume = std::get<scene::Volume>(scene.nodes.at(name).content);
@@ -134,6 +139,9 @@ gl::Program& MarchPass::program(const PassAccess& access, const Parameters& para
     }
     if (parameters.sky.index >= 0) {
         defines["SKY"] = "";
+    }
+    if (!parameters.clouds.empty()) {
+        defines["CLOUDS"] = std::to_string(parameters.clouds.size());
     }
     if (parameters.volumes.empty()) {
         return shaders_.get("background.frag", defines);
@@ -317,6 +325,14 @@ void MarchPass::draw(const PassAccess& access, const Parameters& parameters, boo
         access.read(parameters.sky).color.bind(unit);
         shader.set("sky_picture", int(unit++));
     }
+    for (std::size_t n = 0; n < parameters.clouds.size(); ++n) {
+        const CloudPicture& layer = access.read(parameters.clouds[n]);
+        layer.radiance.bind(unit);
+        shader.set_at("cloud_radiance", int(n), "", int(unit++));
+        layer.distance.bind(unit);
+        shader.set_at("cloud_distance", int(n), "", int(unit++));
+    }
+    shader.set("metres_per_step", float(h));
     if (!parameters.volumes.empty()) {
         shader.set("orthographic", camera.projection == scene::Projection::orthographic ? 1 : 0);
         shader.set("half_view", glm::vec2(half_view(camera, pixels, h)));

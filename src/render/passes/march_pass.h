@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gl/shader_library.h"
+#include "render/passes/cloud_march_pass.h"
 #include "render/passes/light_passes.h"
 #include "render/passes/opaque_pass.h"
 #include "render/passes/sky_passes.h"
@@ -43,10 +44,11 @@ class MarchPass {
     using Volumes = std::map<std::string, std::unique_ptr<VolumePasses>>;
     using Lights = std::map<std::string, std::unique_ptr<LightPasses>>;
     /// Hands the graph this frame's sources and parameters. `lights`: of the volumes that scatter.
-    /// `opaque`: the surfaces of all meshes; an empty handle where there are none. `sky`: these and what is behind
-    /// them, in place of the background; empty indoors.
+    /// `opaque`: the surfaces of all meshes; an empty handle where there are none. `clouds`: one picture for each
+    /// layer. `sky`: surfaces and what is behind them, in place of the background; empty indoors.
     void update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights, Handle<OpaquePicture> opaque,
-                const View& view, double step_world, Handle<SkyPicture> sky = {});
+                const std::vector<Handle<CloudPicture>>& clouds, const View& view, double step_world,
+                Handle<SkyPicture> sky = {});
 
     Handle<Picture> picture;
     Handle<SampleCounts> counts;
@@ -75,6 +77,7 @@ class MarchPass {
         double step_world = 1.0;
         double skipped_distance = 0.0;  ///< metres, before parallel rays start
         Handle<OpaquePicture> opaque;
+        std::vector<Handle<CloudPicture>> clouds;
         std::vector<VolumeInput> volumes;
         std::vector<scene::Light> lights;
         bool lit = false;  ///< lights matter

@@ -1,0 +1,84 @@
+// Light that a layer of clouds scatters towards the eye, per scattering coefficient. Physical: the octaves of Wrenninge
+// 2013 and Hillaire 2016, with light of sky and ground. ARTISTIC: the look of Alaminos 2020, repaired; no phase function.
+// OCTAVES: how many. HALVING: each halves the optical depth, so that one exponential serves them all.
+#include "include/sky_light.glsl"
+
+struct CloudOptics {
+    float extinction;  // 1/m at density 1
+    float albedo;
+    vec3 lobes;        // forward g, backward g, share of the forward lobe
+    vec3 octave;       // factors of strength, optical depth and asymmetry from each to the next
+    float ambient;
+    vec4 look;         // ARTISTIC: asymmetries towards and away from the sun, their mix, absorption per optical depth
+    vec2 silver;       // ARTISTIC: intensity, exponent
+    float powder_all;  // ARTISTIC: 1 darkens thin cloud from everywhere
+};
+uniform CloudOptics optics;
+
+const float one_over_4pi = 0.0795774715;
+
+float henyey_greenstein(float mu, float g)
+{
+    float k = max(1.0 + g * g - 2.0 * g * mu, 1e-4);
+    return one_over_4pi * (1.0 - g * g) / (k * sqrt(k));
+}
+
+#ifdef ARTISTIC
+float in_out_scatter;
+float towards_sun;
+
+void begin_cloud_light(float mu)
+{
+    float rim = mu > 0.0 ? optics.silver.x * exp(optics.silver.y * log(min(mu, 1.0))) : 0.0;
+    in_out_scatter =
+        mix(max(henyey_greenstein(mu, optics.look.x), rim), henyey_greenstein(mu, -optics.look.y), optics.look.z);
+    float half_turn = clamp(0.5 + 0.5 * mu, 0.0, 1.0);
+    towards_sun = optics.powder_all > 0.5 ? 0.0 : half_turn * half_turn;
+}
+
+vec3 cloud_light(float height, float sun, vec3 depths)
+{
+    float x = optics.look.w * depths.x;
+    float powder = mix(2.0 * (1.0 - exp(-2.0 * x)), 1.0, towards_sun);
+    return exp(-x) * powder * in_out_scatter * sun * sky_light.sun_irradiance.rgb +
+           optics.ambient * sky_light.sky_radiance.rgb;
+}
+#else
+float octave_phase[OCTAVES];
+
+void begin_cloud_light(float mu)
+{
+    float strength = 1.0;
+    float turn = 1.0;
+    for (int n = 0; n < OCTAVES; ++n) {
+        octave_phase[n] = strength * mix(henyey_greenstein(mu, optics.lobes.y * turn),
+                                         henyey_greenstein(mu, optics.lobes.x * turn), optics.lobes.z);
+        strength *= optics.octave.x;
+        turn *= optics.octave.z;
+    }
+}
+
+// `sun` is 0 where the planet hides it; `depths`: optical depths towards the sun, up and down.
+vec3 cloud_light(float height, float sun, vec3 depths)
+{
+    float scattered = 0.0;
+#ifdef HALVING
+    float passed = exp(-depths.x / float(1 << (OCTAVES - 1)));
+    for (int n = OCTAVES - 1; n >= 0; --n) {
+        scattered += octave_phase[n] * passed;
+        passed *= passed;
+    }
+#else
+    float thinner = 1.0;
+    for (int n = 0; n < OCTAVES; ++n) {
+        scattered += octave_phase[n] * exp(-thinner * depths.x);
+        thinner *= optics.octave.y;
+    }
+#endif
+    vec3 source = scattered * sun * sky_light.sun_irradiance.rgb;
+    // Half: each hemisphere is 2 pi of the isotropic phase function's 1 / (4 pi).
+    source += optics.ambient * 0.5 *
+              (exp(-depths.y) * sky_light.sky_radiance.rgb + exp(-depths.z) * sky_light.ground_radiance.rgb);
+    return optics.albedo * source;
+}
+#endif

@@ -1,0 +1,34 @@
+// Layers of clouds before and behind what else is in the picture, by their mean distances: exact where their stretches
+// along the ray do not overlap. CLOUDS: how many layers.
+
+uniform sampler2D cloud_radiance[CLOUDS];  // added radiance; alpha: transmittance
+uniform sampler2D cloud_distance[CLOUDS];  // metres
+
+// `matter`: radiance and transmittance of volumes, `matter_at` where they begin, metres; `behind`: the rest, alpha = how
+// much of the background it covers. Returns a picture like `behind`.
+vec4 with_clouds(vec4 matter, float matter_at, vec4 behind)
+{
+    vec4 parts[CLOUDS + 1];
+    float at[CLOUDS + 1];
+    parts[0] = matter;
+    at[0] = matter_at;
+    // Sorted in, far ones first.
+    for (int n = 0; n < CLOUDS; ++n) {
+        vec4 part = texelFetch(cloud_radiance[n], ivec2(gl_FragCoord.xy), 0);
+        float distance = texelFetch(cloud_distance[n], ivec2(gl_FragCoord.xy), 0).x;
+        int place = n + 1;
+        for (int k = n; k >= 0; --k) {
+            if (at[k] < distance) {
+                parts[k + 1] = parts[k];
+                at[k + 1] = at[k];
+                place = k;
+            }
+        }
+        parts[place] = part;
+        at[place] = distance;
+    }
+    for (int n = 0; n <= CLOUDS; ++n) {
+        behind = vec4(parts[n].rgb + parts[n].a * behind.rgb, 1.0 - parts[n].a * (1.0 - behind.a));
+    }
+    return behind;
+}

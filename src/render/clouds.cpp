@@ -1,0 +1,97 @@
+#include "render/clouds.h"
+
+#include <algorithm>
+
+namespace bruma::render {
+namespace {
+
+const scene::Clouds& clouds_in(const scene::Scene& scene, const std::string& name) {
+    return std::get<scene::Clouds>(scene.nodes.at(name).content);
+}
+
+}  // namespace
+
+void Clouds::keep_only(const scene::Scene& scene, const std::vector<std::string>& shown) {
+    std::erase_if(layers_, [&](const auto& entry) {
+        const bool gone = std::find(shown.begin(), shown.end(), entry.first) == shown.end();
+        if (gone) {
+            entry.second->march.remove();
+            entry.second->passes.remove();
+        }
+        return gone;
+    });
+    std::erase_if(noise_, [&](const auto& entry) {
+        const bool wanted = std::any_of(shown.begin(), shown.end(), [&](const std::string& name) {
+            return clouds_in(scene, name).layer->packing == entry.first;
+        });
+        if (!wanted) {
+            entry.second->remove();
+        }
+        return !wanted;
+    });
+}
+
+std::vector<Handle<CloudPicture>> Clouds::update(const scene::Scene& scene, const std::vector<std::string>& shown,
+                                                 Handle<OpaquePicture> opaque, Handle<SkyLight> sky, glm::ivec2 pixels,
+                                                 double step_scale) {
+    keep_only(scene, shown);
+    if (sky.index >= 0) {
+        forget_own_sky();
+    } else {
+        if (!sky_) {
+            sky_ = std::make_unique<CloudSkyPass>(graph_);
+        }
+        sky_->update(scene);
+        sky = sky_->light;
+    }
+    const glm::dvec3 to_sun = sun_direction_world(scene);
+    std::vector<Handle<CloudPicture>> pictures;
+    for (const std::string& name : shown) {
+        const scene::Clouds& clouds = clouds_in(scene, name);
+        const scene::NoisePacking packing = clouds.layer->packing;
+        auto& noise = noise_[packing];
+        if (!noise) {
+            noise = std::make_unique<CloudNoisePass>(graph_, shaders_, packing);
+        }
+        noise->update(std::any_of(shown.begin(), shown.end(), [&](const std::string& other) {
+            const scene::CloudLayer& layer = *clouds_in(scene, other).layer;
+            return layer.packing == packing && layer.linear_coverage;
+        }));
+        auto& layer = layers_[name];
+        if (!layer) {
+            layer = std::make_unique<Layer>(graph_, shaders_, name);
+        }
+        layer->passes.update(clouds, noise->noise, to_sun);
+        layer->march.update(scene, clouds, {layer->passes, noise->noise, sky, opaque}, pixels, step_scale);
+        pictures.push_back(layer->march.picture);
+    }
+    return pictures;
+}
+
+void Clouds::forget_own_sky() {
+    if (sky_) {
+        sky_->remove();
+        sky_.reset();
+    }
+}
+
+void Clouds::remove() {
+    for (auto& [name, layer] : layers_) {
+        layer->march.remove();
+        layer->passes.remove();
+    }
+    for (auto& [packing, noise] : noise_) {
+        noise->remove();
+    }
+    forget_own_sky();
+}
+
+std::vector<Handle<CloudCounts>> Clouds::counts() const {
+    std::vector<Handle<CloudCounts>> all;
+    for (const auto& [name, layer] : layers_) {
+        all.push_back(layer->march.counts);
+    }
+    return all;
+}
+
+}  // namespace bruma::render
