@@ -16,6 +16,8 @@
 #include "io/atomic_file.h"
 #include "io/picture_file.h"
 #include "reference/render_scattering.h"
+#include "reference/sky_picture.h"
+#include "scene/sun_lamp.h"
 
 namespace bruma::app {
 namespace {
@@ -45,9 +47,14 @@ void say_what_paths_leave_out(const scene::Scene& scene) {
     }
 }
 
-/// Writes the picture and returns what to say about it.
-std::string draw_emission_absorption(const ReferenceArguments& arguments, const scene::Scene& scene,
-                                     const std::function<void(double)>& progress) {
+struct Drawn {
+    Image image;
+    std::vector<float> error;  ///< per pixel
+    std::string findings;      ///< what to say about it
+};
+
+Drawn draw_emission_absorption(const ReferenceArguments& arguments, const scene::Scene& scene,
+                               const std::function<void(double)>& progress) {
     if (!arguments.light.empty()) {
         log_warning("--light {}: nothing in this scene scatters light; set volume.lighting=path_traced",
                     arguments.light);
@@ -55,14 +62,14 @@ std::string draw_emission_absorption(const ReferenceArguments& arguments, const 
     reference::ReferenceOptions options{.progress = progress};
     options.tolerance = arguments.tolerance.value_or(options.tolerance);
     const glm::ivec2 pixels = arguments.scene.pixels();
-    const auto result = reference::render_emission_absorption(scene, pixels.x, pixels.y, options);
-    io::write_exr(arguments.output, result.image, {{"error", result.error}});
-    return fmt::format("stated error: at most {:.2g}, RMS {:.2g} (display range 1); {:.1f} M evaluations",
-                       result.largest_error, result.rms_error, 1e-6 * double(result.evaluations));
+    auto result = reference::render_emission_absorption(scene, pixels.x, pixels.y, options);
+    return {std::move(result.image), std::move(result.error),
+            fmt::format("stated error: at most {:.2g}, RMS {:.2g} (display range 1); {:.1f} M evaluations",
+                        result.largest_error, result.rms_error, 1e-6 * double(result.evaluations))};
 }
 
-std::string draw_scattering(const ReferenceArguments& arguments, const scene::Scene& scene,
-                            const std::function<void(double)>& progress) {
+Drawn draw_scattering(const ReferenceArguments& arguments, const scene::Scene& scene,
+                      const std::function<void(double)>& progress) {
     reference::ScatteringOptions options = arguments.scattering;
     options.paths = arguments.light == "single" ? reference::LightPaths::single : reference::LightPaths::multiple;
     options.tolerance = arguments.tolerance.value_or(options.tolerance);
@@ -72,27 +79,41 @@ std::string draw_scattering(const ReferenceArguments& arguments, const scene::Sc
         say_what_paths_leave_out(scene);
     }
     const glm::ivec2 pixels = arguments.scene.pixels();
-    const auto result = reference::render_scattering(scene, pixels.x, pixels.y, options);
+    auto result = reference::render_scattering(scene, pixels.x, pixels.y, options);
     std::vector<float> error;
     error.reserve(result.error.size());
     for (const glm::vec3& channels : result.error) {
         error.push_back(std::max({channels.x, channels.y, channels.z}));
     }
-    io::write_exr(arguments.output, result.image, {{"error", error}});
     if (!multiple) {
-        return fmt::format(
-            "single scattering, stated error: at most {:.2g}, RMS {:.2g} (display range 1); {:.1f} M "
-            "evaluations",
-            result.largest_error, result.rms_error, 1e-6 * double(result.evaluations));
+        return {std::move(result.image), std::move(error),
+                fmt::format("single scattering, stated error: at most {:.2g}, RMS {:.2g} (display range 1); {:.1f} M "
+                            "evaluations",
+                            result.largest_error, result.rms_error, 1e-6 * double(result.evaluations))};
     }
     const std::string cut_off =
         result.cut_off_share > 0.0
             ? fmt::format("; {:.2g} of all paths cut off after {} bounces", result.cut_off_share, options.max_bounces)
             : "";
-    return fmt::format(
-        "multiple scattering, standard error: at most {:.2g}, RMS {:.2g} (display range 1){}; {} samples "
-        "a pixel, {:.1f} M collisions",
-        result.largest_error, result.rms_error, cut_off, options.samples, 1e-6 * double(result.evaluations));
+    return {std::move(result.image), std::move(error),
+            fmt::format("multiple scattering, standard error: at most {:.2g}, RMS {:.2g} (display range 1){}; {} "
+                        "samples a pixel, {:.1f} M collisions",
+                        result.largest_error, result.rms_error, cut_off, options.samples,
+                        1e-6 * double(result.evaluations))};
+}
+
+/// The volumes were drawn over black: adds the sky behind them, and says how well it is known.
+void add_sky(Drawn& drawn, const scene::Scene& scene, const std::function<void(double)>& progress) {
+    const auto sky = reference::render_sky(scene, drawn.image.width, drawn.image.height, 1000, progress);
+    for (std::size_t n = 0; n < drawn.image.pixel_count(); ++n) {
+        const float seen = 1.0F - drawn.image.rgba[4 * n + 3];
+        for (std::size_t k = 4 * n; k < 4 * n + 3; ++k) {
+            drawn.image.rgba[k] += seen * sky.image.rgba[k];
+        }
+        drawn.error[n] += seen * sky.error[n];
+    }
+    drawn.findings += fmt::format("; sky: half as many steps change it by at most {:.2g}, RMS {:.2g}",
+                                  sky.largest_error, sky.rms_error);
 }
 
 int reference(const ReferenceArguments& arguments) {
@@ -101,7 +122,10 @@ int reference(const ReferenceArguments& arguments) {
             fmt::format("-o {}: the reference keeps its precision only in .exr; choose that ending", arguments.output));
     }
     io::require_writable(arguments.output);
-    const scene::Scene scene = open_scene(arguments.scene);
+    scene::Scene scene = scene::with_sun_as_lamp(open_scene(arguments.scene));
+    if (scene.outdoors) {
+        scene.background = scene::Background{};
+    }
     if (const auto meshes = scene::shown_meshes(scene); !meshes.empty()) {
         throw InputError(
             fmt::format("nodes.{0}: is a mesh, and there is no reference for meshes yet; --set nodes.{0}.visible=false "
@@ -114,10 +138,14 @@ int reference(const ReferenceArguments& arguments) {
         progress = [](double share) { fmt::print(stderr, "\r{:3.0f} %", 100.0 * share); };
     }
     const auto start = std::chrono::steady_clock::now();
-    const std::string findings = anything_scatters(scene) ? draw_scattering(arguments, scene, progress)
-                                                          : draw_emission_absorption(arguments, scene, progress);
+    Drawn drawn = anything_scatters(scene) ? draw_scattering(arguments, scene, progress)
+                                           : draw_emission_absorption(arguments, scene, progress);
+    if (scene.outdoors) {
+        add_sky(drawn, scene, progress);
+    }
+    io::write_exr(arguments.output, drawn.image, {{"error", drawn.error}});
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    fmt::print(stderr, "{}{} in {:.1f} s\n", talks ? "\r" : "", findings, seconds);
+    fmt::print(stderr, "{}{} in {:.1f} s\n", talks ? "\r" : "", drawn.findings, seconds);
     return int(ExitCode::done);
 }
 
