@@ -59,9 +59,7 @@ void Renderer::update(const scene::Scene& scene, const View& view) {
     if (!sky_) {
         sky_ = std::make_unique<SkyPasses>(graph_, shaders_);
     }
-    scene::Scene lit = scene;
-    lit.lights.insert_or_assign("sun in the sky", scene::sun_lamp(*scene.outdoors->sun, *scene.outdoors->atmosphere));
-    update_passes(lit, view);
+    update_passes(scene::with_sun_as_lamp(scene), view);
 }
 
 void Renderer::update_passes(const scene::Scene& scene, const View& view) {

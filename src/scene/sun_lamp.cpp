@@ -58,4 +58,11 @@ Light sun_lamp(const Sun& sun, const Atmosphere& atmosphere) {
             .intensity = 1.0};
 }
 
+Scene with_sun_as_lamp(Scene scene) {
+    if (scene.outdoors) {
+        scene.lights.insert_or_assign("sun in the sky", sun_lamp(*scene.outdoors->sun, *scene.outdoors->atmosphere));
+    }
+    return scene;
+}
+
 }  // namespace bruma::scene

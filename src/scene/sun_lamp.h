@@ -1,6 +1,5 @@
 #pragma once
-#include "scene/light.h"
-#include "scene/sky.h"
+#include "scene/scene.h"
 
 namespace bruma::scene {
 
@@ -10,5 +9,8 @@ glm::dvec3 sun_transmittance(const Atmosphere& atmosphere, double altitude_m, do
 
 /// The sun as a lamp: its direction, and its irradiance behind the air at the world's origin.
 Light sun_lamp(const Sun& sun, const Atmosphere& atmosphere);
+
+/// An outdoor scene with its sun among the lamps; any other as it is.
+Scene with_sun_as_lamp(Scene scene);
 
 }  // namespace bruma::scene

@@ -17,6 +17,8 @@
 #include "io/picture_file.h"
 #include "reference/render_clouds.h"
 #include "reference/render_scattering.h"
+#include "reference/sky_picture.h"
+#include "scene/sun_lamp.h"
 
 namespace bruma::app {
 namespace {
@@ -46,9 +48,14 @@ void say_what_paths_leave_out(const scene::Scene& scene) {
     }
 }
 
-/// Writes the picture and returns what to say about it.
-std::string draw_emission_absorption(const ReferenceArguments& arguments, const scene::Scene& scene,
-                                     const std::function<void(double)>& progress) {
+struct Drawn {
+    Image image;
+    std::vector<float> error;  ///< per pixel
+    std::string findings;      ///< what to say about it
+};
+
+Drawn draw_emission_absorption(const ReferenceArguments& arguments, const scene::Scene& scene,
+                               const std::function<void(double)>& progress) {
     if (!arguments.light.empty()) {
         log_warning("--light {}: nothing in this scene scatters light; set volume.lighting=path_traced",
                     arguments.light);
@@ -56,14 +63,14 @@ std::string draw_emission_absorption(const ReferenceArguments& arguments, const 
     reference::ReferenceOptions options{.progress = progress};
     options.tolerance = arguments.tolerance.value_or(options.tolerance);
     const glm::ivec2 pixels = arguments.scene.pixels();
-    const auto result = reference::render_emission_absorption(scene, pixels.x, pixels.y, options);
-    io::write_exr(arguments.output, result.image, {{"error", result.error}});
-    return fmt::format("stated error: at most {:.2g}, RMS {:.2g} (display range 1); {:.1f} M evaluations",
-                       result.largest_error, result.rms_error, 1e-6 * double(result.evaluations));
+    auto result = reference::render_emission_absorption(scene, pixels.x, pixels.y, options);
+    return {std::move(result.image), std::move(result.error),
+            fmt::format("stated error: at most {:.2g}, RMS {:.2g} (display range 1); {:.1f} M evaluations",
+                        result.largest_error, result.rms_error, 1e-6 * double(result.evaluations))};
 }
 
-std::string draw_scattering(const ReferenceArguments& arguments, const scene::Scene& scene,
-                            const std::function<void(double)>& progress) {
+Drawn draw_scattering(const ReferenceArguments& arguments, const scene::Scene& scene,
+                      const std::function<void(double)>& progress) {
     reference::ScatteringOptions options = arguments.scattering;
     options.paths = arguments.light == "single" ? reference::LightPaths::single : reference::LightPaths::multiple;
     options.tolerance = arguments.tolerance.value_or(options.tolerance);
@@ -73,49 +80,63 @@ std::string draw_scattering(const ReferenceArguments& arguments, const scene::Sc
         say_what_paths_leave_out(scene);
     }
     const glm::ivec2 pixels = arguments.scene.pixels();
-    const auto result = reference::render_scattering(scene, pixels.x, pixels.y, options);
+    auto result = reference::render_scattering(scene, pixels.x, pixels.y, options);
     std::vector<float> error;
     error.reserve(result.error.size());
     for (const glm::vec3& channels : result.error) {
         error.push_back(std::max({channels.x, channels.y, channels.z}));
     }
-    io::write_exr(arguments.output, result.image, {{"error", error}});
     if (!multiple) {
-        return fmt::format(
-            "single scattering, stated error: at most {:.2g}, RMS {:.2g} (display range 1); {:.1f} M "
-            "evaluations",
-            result.largest_error, result.rms_error, 1e-6 * double(result.evaluations));
+        return {std::move(result.image), std::move(error),
+                fmt::format("single scattering, stated error: at most {:.2g}, RMS {:.2g} (display range 1); {:.1f} M "
+                            "evaluations",
+                            result.largest_error, result.rms_error, 1e-6 * double(result.evaluations))};
     }
     const std::string cut_off =
         result.cut_off_share > 0.0
             ? fmt::format("; {:.2g} of all paths cut off after {} bounces", result.cut_off_share, options.max_bounces)
             : "";
-    return fmt::format(
-        "multiple scattering, standard error: at most {:.2g}, RMS {:.2g} (display range 1){}; {} samples "
-        "a pixel, {:.1f} M collisions",
-        result.largest_error, result.rms_error, cut_off, options.samples, 1e-6 * double(result.evaluations));
+    return {std::move(result.image), std::move(error),
+            fmt::format("multiple scattering, standard error: at most {:.2g}, RMS {:.2g} (display range 1){}; {} "
+                        "samples a pixel, {:.1f} M collisions",
+                        result.largest_error, result.rms_error, cut_off, options.samples,
+                        1e-6 * double(result.evaluations))};
+}
+
+/// The volumes were drawn over black: adds the sky behind them, and says how well it is known.
+void add_sky(Drawn& drawn, const scene::Scene& scene, const std::function<void(double)>& progress) {
+    const auto sky = reference::render_sky(scene, drawn.image.width, drawn.image.height, 1000, progress);
+    for (std::size_t n = 0; n < drawn.image.pixel_count(); ++n) {
+        const float seen = 1.0F - drawn.image.rgba[4 * n + 3];
+        for (std::size_t k = 4 * n; k < 4 * n + 3; ++k) {
+            drawn.image.rgba[k] += seen * sky.image.rgba[k];
+        }
+        drawn.error[n] += seen * sky.error[n];
+    }
+    drawn.findings += fmt::format("; sky: half as many steps change it by at most {:.2g}, RMS {:.2g}",
+                                  sky.largest_error, sky.rms_error);
 }
 
 /// The model of light of the scene's clouds by a fine march, or all orders of scattering by random paths.
-std::string draw_clouds(const ReferenceArguments& arguments, const scene::Scene& scene,
-                        const std::function<void(double)>& progress) {
+Drawn draw_clouds(const ReferenceArguments& arguments, const scene::Scene& scene,
+                  const std::function<void(double)>& progress) {
     reference::CloudImageOptions options{.progress = progress};
     const bool multiple = arguments.light == "multiple";
     options.paths = multiple ? reference::LightPaths::multiple : reference::LightPaths::single;
     options.march.tolerance = arguments.tolerance.value_or(1e-3);
     options.samples = std::uint32_t(arguments.scattering.samples);
     const glm::ivec2 pixels = arguments.scene.pixels();
-    const auto result = reference::render_clouds(scene, pixels.x, pixels.y, options);
+    auto result = reference::render_clouds(scene, pixels.x, pixels.y, options);
     std::vector<float> error;
     error.reserve(result.error.size());
     for (const glm::vec3& channels : result.error) {
         error.push_back(std::max({channels.x, channels.y, channels.z}));
     }
-    io::write_exr(arguments.output, result.image, {{"error", error}});
-    return fmt::format("clouds {}: at most {:.2g}, RMS {:.2g} (display range 1); {:.1f} M {}",
-                       multiple ? "by all orders of scattering, standard error" : "as modelled, stated error",
-                       result.largest_error, result.rms_error, 1e-6 * double(result.evaluations),
-                       multiple ? "collisions" : "samples");
+    return {std::move(result.image), std::move(error),
+            fmt::format("clouds {}: at most {:.2g}, RMS {:.2g} (display range 1); {:.1f} M {}",
+                        multiple ? "by all orders of scattering, standard error" : "as modelled, stated error",
+                        result.largest_error, result.rms_error, 1e-6 * double(result.evaluations),
+                        multiple ? "collisions" : "samples")};
 }
 
 int reference(const ReferenceArguments& arguments) {
@@ -124,8 +145,17 @@ int reference(const ReferenceArguments& arguments) {
             fmt::format("-o {}: the reference keeps its precision only in .exr; choose that ending", arguments.output));
     }
     io::require_writable(arguments.output);
-    const scene::Scene scene = open_scene(arguments.scene);
+    scene::Scene scene = scene::with_sun_as_lamp(open_scene(arguments.scene));
     const bool has_clouds = !scene::shown_clouds(scene).empty();
+    if (has_clouds && scene.outdoors) {
+        throw InputError(
+            "sky: there is no reference yet for clouds that a sky lights; take sky, sun and atmosphere out of the "
+            "scene, "
+            "and light it by a directional lamp and environment.radiance");
+    }
+    if (scene.outdoors) {
+        scene.background = scene::Background{};
+    }
     if (const auto meshes = scene::shown_meshes(scene); !meshes.empty() && !has_clouds) {
         throw InputError(
             fmt::format("nodes.{0}: is a mesh, and there is no reference for meshes yet; --set nodes.{0}.visible=false "
@@ -138,11 +168,15 @@ int reference(const ReferenceArguments& arguments) {
         progress = [](double share) { fmt::print(stderr, "\r{:3.0f} %", 100.0 * share); };
     }
     const auto start = std::chrono::steady_clock::now();
-    const std::string findings = has_clouds                 ? draw_clouds(arguments, scene, progress)
-                                 : anything_scatters(scene) ? draw_scattering(arguments, scene, progress)
-                                                            : draw_emission_absorption(arguments, scene, progress);
+    Drawn drawn = has_clouds                 ? draw_clouds(arguments, scene, progress)
+                  : anything_scatters(scene) ? draw_scattering(arguments, scene, progress)
+                                             : draw_emission_absorption(arguments, scene, progress);
+    if (scene.outdoors) {
+        add_sky(drawn, scene, progress);
+    }
+    io::write_exr(arguments.output, drawn.image, {{"error", drawn.error}});
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    fmt::print(stderr, "{}{} in {:.1f} s\n", talks ? "\r" : "", findings, seconds);
+    fmt::print(stderr, "{}{} in {:.1f} s\n", talks ? "\r" : "", drawn.findings, seconds);
     return int(ExitCode::done);
 }
 
