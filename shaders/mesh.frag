@@ -23,6 +23,11 @@ in vec3 normal_body;
 uniform vec3 diffuse_reflectance;  // of the matter, for light from all sides
 #endif
 
+#ifdef SHADOWS
+#include "include/shadow.glsl"
+in vec3 position_shadow;
+#endif
+
 in vec3 point_camera;
 in vec3 normal_world;
 in vec2 coordinate;
@@ -51,6 +56,19 @@ float distance_on_ray(vec3 start, vec3 direction)
     // Seen edge-on, a plane says nothing any more; a hundred times what it is beside is more than honest planes ask.
     float most = 100.0 * length(beside);
     return along + clamp(slope, -most, most);
+}
+
+// Share of a lamp's light that no surface keeps away.
+float arriving(int lamp, vec3 normal)
+{
+#ifdef SHADOWS
+    vec3 facet = cross(dFdx(position_shadow), dFdy(position_shadow));
+    float squared = dot(facet, facet);
+    facet = squared > 1e-36 ? facet * inversesqrt(squared) : normal;
+    return light_arriving(lamp, position_shadow, dot(facet, normal) < 0.0 ? -facet : facet);
+#else
+    return 1.0;
+#endif
 }
 
 void add_light(Incident incident, vec3 normal, vec3 toward_eye, float facing_eye, inout vec3 reflected,
@@ -110,10 +128,14 @@ void main()
     vec3 reflected = ambient;
     vec3 mirrored = vec3(0.0);
     for (int n = 0; n < DIRECTIONAL_LIGHTS; ++n) {
-        add_light(incident_from_afar(n), normal, toward_eye, facing_eye, reflected, mirrored);
+        Incident incident = incident_from_afar(n);
+        incident.irradiance *= arriving(n, normal);
+        add_light(incident, normal, toward_eye, facing_eye, reflected, mirrored);
     }
     for (int n = DIRECTIONAL_LIGHTS; n < light_count; ++n) {
-        add_light(incident_from_point(n, ray_distance), normal, toward_eye, facing_eye, reflected, mirrored);
+        Incident incident = incident_from_point(n, ray_distance);
+        incident.irradiance *= arriving(n, normal);
+        add_light(incident, normal, toward_eye, facing_eye, reflected, mirrored);
     }
 #ifdef TRANSLUCENT
     float passing = fresnel_transmittance(facing_eye, medium.eta);

@@ -67,7 +67,8 @@ class Renderer {
   private:
     void update(const scene::Scene& scene, const View& view);
     void update_meshes(const scene::Scene& scene, const std::vector<std::string>& shown, const View& view);
-    void update_translucent(const scene::Scene& scene, const std::vector<std::string>& shown, const View& view);
+    void update_translucent(const scene::Scene& scene, const std::vector<std::string>& shown,
+                            const std::vector<scene::Light>& lights, const View& view);
     void update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world);
     int wanted_picture() const { return path_traced_ ? path_trace_.paths.index : march_.picture.index; }
 
@@ -79,6 +80,7 @@ class Renderer {
     MarchPass::Volumes volumes_;
     MarchPass::Lights lights_;  ///< of the volumes that scatter
     OpaquePass::Meshes meshes_;
+    std::unique_ptr<ShadowPass> shadows_;    ///< none while no lamp casts any
     OpaquePass::Translucents translucents_;  ///< of the meshes that light enters
     std::unique_ptr<OpaquePass> opaque_;     ///< none while no mesh is shown
     bool said_no_meshes_ = false;

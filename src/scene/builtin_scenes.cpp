@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "scene/builtin.h"
+#include "scene/builtin_mesh_scenes.h"
 
 namespace bruma::scene {
 namespace {
@@ -157,6 +158,7 @@ constexpr std::array builtin_scenes{
     BuiltinScene{"knot-study", knots},
     BuiltinScene{"scattering", scattering},
     BuiltinScene{"scattering-blobs", scattering_blobs},
+    BuiltinScene{"translucent", translucent_scene},
 };
 
 }  // namespace

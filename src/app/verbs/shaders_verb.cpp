@@ -112,6 +112,8 @@ Variants variants_of(const std::string& file) {
             inside.insert(lights.begin(), lights.end());
             inside["TRANSLUCENT"] = "";
             variants.push_back(inside);
+            inside["SHADOWS"] = "";
+            variants.push_back(inside);
         }
         return variants;
     }

@@ -119,12 +119,15 @@ void OpaquePass::remove() {
 }
 
 void OpaquePass::update(const scene::Scene& scene, const Meshes& meshes, const Translucents& translucents,
-                        glm::ivec2 pixels) {
+                        Handle<ShadowMaps> shadows, glm::ivec2 pixels) {
     graph_.set_source(camera_, **scene.camera, scene.camera->revision());
     graph_.set_source(shader_revision_, 0, shaders_.revision());
     Parameters parameters{
-        pixels, skipped_distance(**scene.camera, scene::world_bounds(scene)), {}, {}, *scene.environment};
+        pixels, skipped_distance(**scene.camera, scene::world_bounds(scene)), {}, {}, *scene.environment, shadows};
     std::vector<int> reads{camera_.index, shader_revision_.index};
+    if (shadows.index >= 0) {
+        reads.push_back(shadows.index);
+    }
     for (const auto& [name, passes] : meshes) {
         const auto& mesh = std::get<scene::Mesh>(scene.nodes.at(name).content);
         MeshInput input;
@@ -178,20 +181,19 @@ void OpaquePass::draw(const PassAccess& access, const Parameters& parameters) {
         // Depth first: light from inside is dear, and what is hidden shall not count as seen.
         glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         for (const MeshInput& input : parameters.meshes) {
-            draw_mesh(access, prepared_program(parameters, stand, {{"DEPTH_ONLY", ""}}), input, stand);
+            draw_mesh(access, prepared_program(parameters, stand, {{"DEPTH_ONLY", ""}}), input, stand, {});
         }
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         glDepthFunc(GL_GEQUAL);
     }
-    gl::Defines opaque;
-    count_lights(opaque, parameters.lights);
+    const gl::Defines opaque = defines_of(parameters);
     for (const MeshInput& input : parameters.meshes) {
         triangles += access.read(input.triangles)->triangles.size();
         if (input.inside.shown) {
             out.unseen += draw_translucent(access, parameters, stand, input);
             continue;
         }
-        draw_mesh(access, prepared_program(parameters, stand, opaque), input, stand);
+        draw_mesh(access, prepared_program(parameters, stand, opaque), input, stand, parameters.shadows);
     }
     glDisable(GL_DEPTH_TEST);
     std::string note =
@@ -210,8 +212,8 @@ std::uint32_t OpaquePass::draw_translucent(const PassAccess& access, const Param
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_EQUAL, 0, 1);
     glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-    gl::Defines defines{{"TRANSLUCENT", ""}};
-    count_lights(defines, parameters.lights);
+    gl::Defines defines = defines_of(parameters);
+    defines["TRANSLUCENT"] = "";
     const gl::Query unseen("unseen pixels", GL_SAMPLES_PASSED);
     for (const bool from_points : {false, true}) {
         if (from_points) {
@@ -222,13 +224,22 @@ std::uint32_t OpaquePass::draw_translucent(const PassAccess& access, const Param
         gl::Program& program = prepared_program(parameters, stand, defines);
         gl::Buffer lamps;
         set_inside(access, program, input, lamps);
-        draw_mesh(access, program, input, stand);
+        draw_mesh(access, program, input, stand, parameters.shadows);
     }
     const std::uint32_t count = unseen.end();
     glDisable(GL_STENCIL_TEST);
     const GLint none = 0;
     glClearNamedFramebufferiv(access.write(picture).framebuffer.name(), GL_STENCIL, 0, &none);  // for the next mesh
     return count;
+}
+
+gl::Defines OpaquePass::defines_of(const Parameters& parameters) {
+    gl::Defines defines;
+    count_lights(defines, parameters.lights);
+    if (parameters.shadows.index >= 0) {
+        defines["SHADOWS"] = "";
+    }
+    return defines;
 }
 
 gl::Program& OpaquePass::prepared_program(const Parameters& parameters, const Stand& stand,
@@ -264,7 +275,8 @@ void OpaquePass::set_inside(const PassAccess& access, gl::Program& program, cons
                                                                   std::abs(normals[2][2]), 1e-300})));
 }
 
-void OpaquePass::draw_mesh(const PassAccess& access, gl::Program& program, const MeshInput& input, const Stand& stand) {
+void OpaquePass::draw_mesh(const PassAccess& access, gl::Program& program, const MeshInput& input, const Stand& stand,
+                           Handle<ShadowMaps> shadows) {
     const MeshBuffers& buffers = access.read(input.buffers);
     const scene::TriangleMesh& mesh = *access.read(input.triangles);
     const glm::dmat3 linear(input.world_from_model);
@@ -285,6 +297,14 @@ void OpaquePass::draw_mesh(const PassAccess& access, gl::Program& program, const
     program.set("world_from_normal", glm::mat3(world_from_normal / largest));
     glFrontFace(glm::determinant(linear) < 0.0 ? GL_CW : GL_CCW);
     program.set("highlight", input.highlight);
+    if (shadows.index >= 0) {
+        const ShadowMaps& maps = access.read(shadows);
+        program.set("shadow_from_model",
+                    glm::mat4(maps.shadow_from_model(input.world_from_model, buffers.middle_model)));
+        maps.lamps.bind_storage(6);
+        maps.depth.bind(5);
+        program.set("shadow_depth", 5);
+    }
     program.set("diffuse_texture", 0);
     glBindVertexArray(buffers.array.name());
     for (const MeshBuffers::Part& part : buffers.parts) {

@@ -6,6 +6,7 @@
 
 #include "gl/shader_library.h"
 #include "render/passes/mesh_passes.h"
+#include "render/passes/shadow_pass.h"
 #include "render/passes/translucent_passes.h"
 #include "scene/scene.h"
 
@@ -29,9 +30,11 @@ class OpaquePass {
 
     using Meshes = std::map<std::string, std::unique_ptr<MeshPasses>>;
     using Translucents = std::map<std::string, std::unique_ptr<TranslucentPasses>>;
-    /// Hands the graph this frame's sources and parameters; `meshes` are all shown ones, `translucents` what is inside
-    /// those that light enters.
-    void update(const scene::Scene& scene, const Meshes& meshes, const Translucents& translucents, glm::ivec2 pixels);
+    /// Hands the graph this frame's sources and parameters; `meshes` are all
+    /// shown ones, `translucents` what is inside those that light enters.
+    /// `shadows`: an empty handle where nothing casts any.
+    void update(const scene::Scene& scene, const Meshes& meshes, const Translucents& translucents,
+                Handle<ShadowMaps> shadows, glm::ivec2 pixels);
     void remove();
 
     Handle<OpaquePicture> picture;
@@ -60,12 +63,15 @@ class OpaquePass {
         std::vector<MeshInput> meshes;
         std::vector<scene::Light> lights;
         scene::Environment environment;
+        Handle<ShadowMaps> shadows;  ///< index -1: none
         bool operator==(const Parameters&) const = default;
     };
     struct Stand;  // where the meshes stand before the camera
 
     void draw(const PassAccess& access, const Parameters& parameters);
-    static void draw_mesh(const PassAccess& access, gl::Program& program, const MeshInput& input, const Stand& stand);
+    static void draw_mesh(const PassAccess& access, gl::Program& program, const MeshInput& input, const Stand& stand,
+                          Handle<ShadowMaps> shadows);
+    static gl::Defines defines_of(const Parameters& parameters);
     /// How many pixels no map saw.
     std::uint32_t draw_translucent(const PassAccess& access, const Parameters& parameters, const Stand& stand,
                                    const MeshInput& input);
