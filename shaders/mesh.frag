@@ -3,6 +3,18 @@
 // from inside.
 #ifdef DEPTH_ONLY
 void main() {}
+#elif defined(THICKNESS)
+// How far the way through the body is: where it leaves less where it enters, of each of its pieces.
+in vec3 point_camera;
+layout(location = 0) out float way;  // mm
+uniform int orthographic;
+uniform float mm_per_unit;
+
+void main()
+{
+    float reached = mm_per_unit * (orthographic != 0 ? -point_camera.z : length(point_camera));
+    way = gl_FrontFacing ? -reached : reached;
+}
 #else
 #include "include/view_ray.glsl"
 #include "include/lights.glsl"
@@ -21,6 +33,9 @@ uniform SubsurfaceMedium medium;
 in vec3 position_body;  // mm
 in vec3 normal_body;
 uniform vec3 diffuse_reflectance;  // of the matter, for light from all sides
+uniform vec3 sigma_unscattered;    // 1/mm
+uniform int see_through;           // whether `thickness` holds anything
+uniform sampler2D thickness;
 #endif
 
 #ifdef SHADOWS
@@ -142,6 +157,11 @@ void main()
     vec3 picture = textured != 0 ? texture(diffuse_texture, coordinate).xyz : vec3(1.0);
     vec3 within = light_from_within(facing_eye) + passing * diffuse_reflectance * ambient;
     vec3 shine = specular * mirrored + (1.0 - passing) * ambient;
+    if (see_through != 0) {
+        // Not bent at the surface; what it is bent to looks the same where the surroundings do on all sides.
+        float chord = max(texelFetch(thickness, ivec2(gl_FragCoord.xy), 0).x, 0.0);
+        within += passing * passing * unscattered_transmittance(sigma_unscattered, chord) * ambient;
+    }
     radiance = vec4(picture * within + (highlight != 0 ? shine : vec3(0.0)), 1.0);
 #else
     vec3 albedo = diffuse * (textured != 0 ? texture(diffuse_texture, coordinate).xyz : vec3(1.0));

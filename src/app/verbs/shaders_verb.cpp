@@ -107,7 +107,7 @@ Variants variants_of(const std::string& file) {
     }
     if (file == "mesh.frag") {
         const gl::Defines lights{{"DIRECTIONAL_LIGHTS", "1"}, {"POINT_LIGHTS", "1"}};
-        Variants variants{{{"DEPTH_ONLY", ""}}, lights};
+        Variants variants{{{"DEPTH_ONLY", ""}}, {{"THICKNESS", ""}}, lights};
         for (gl::Defines inside : Variants{{}, {{"FROM_POINTS", ""}}, {{"FROM_POINTS", ""}, {"CUBE_LAMPS", ""}}}) {
             inside.insert(lights.begin(), lights.end());
             inside["TRANSLUCENT"] = "";

@@ -209,6 +209,7 @@ std::uint32_t OpaquePass::draw_translucent(const PassAccess& access, const Param
                                            const MeshInput& input) {
     // From the maps first, which leaves pixels open that none of them sees; light from points, which is dear, for
     // these.
+    const bool see_through = draw_thickness(access, parameters, stand, input);
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_EQUAL, 0, 1);
     glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
@@ -224,6 +225,12 @@ std::uint32_t OpaquePass::draw_translucent(const PassAccess& access, const Param
         gl::Program& program = prepared_program(parameters, stand, defines);
         gl::Buffer lamps;
         set_inside(access, program, input, lamps);
+        program.set("see_through", see_through ? 1 : 0);
+        program.set("sigma_unscattered", glm::vec3(input.inside.shown->constants.sigma_unscattered));
+        program.set("thickness", 6);
+        if (see_through) {
+            access.write(picture).thickness.bind(6);
+        }
         draw_mesh(access, program, input, stand, parameters.shadows);
     }
     const std::uint32_t count = unseen.end();
@@ -231,6 +238,38 @@ std::uint32_t OpaquePass::draw_translucent(const PassAccess& access, const Param
     const GLint none = 0;
     glClearNamedFramebufferiv(access.write(picture).framebuffer.name(), GL_STENCIL, 0, &none);  // for the next mesh
     return count;
+}
+
+bool OpaquePass::draw_thickness(const PassAccess& access, const Parameters& parameters, const Stand& stand,
+                                const MeshInput& input) {
+    const TranslucentPasses::Shown& shown = *input.inside.shown;
+    const glm::dvec3 sigma = shown.constants.sigma_unscattered;
+    const double radius = access.read(shown.light).bounding_radius;
+    // Where less than e^-4 is left after half the body, what is scattered outshines the rest.
+    const bool any_comes_through = std::min({sigma.x, sigma.y, sigma.z}) * radius < 4.0;
+    if (!shown.settings.unscattered || parameters.environment.radiance == glm::dvec3(0.0) || !any_comes_through ||
+        !access.read(input.triangles)->closed) {
+        return false;
+    }
+    OpaquePicture& out = access.write(picture);
+    if (!out.thickness || out.thickness.size() != out.radiance.size()) {
+        out.thickness_framebuffer = {};
+        out.thickness = gl::Texture::make_2d("thickness", GL_R32F, glm::ivec2(out.radiance.size()));
+        out.thickness_framebuffer = gl::Framebuffer("thickness", {&out.thickness});
+    }
+    const float nothing[4] = {0.0F, 0.0F, 0.0F, 0.0F};
+    glClearNamedFramebufferfv(out.thickness_framebuffer.name(), GL_COLOR, 0, nothing);
+    out.thickness_framebuffer.bind();
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    gl::Program& program = prepared_program(parameters, stand, {{"THICKNESS", ""}});
+    program.set("mm_per_unit", float(1e3 * stand.unit_world));
+    draw_mesh(access, program, input, stand, {});
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    out.framebuffer.bind();
+    return true;
 }
 
 gl::Defines OpaquePass::defines_of(const Parameters& parameters) {

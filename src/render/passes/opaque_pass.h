@@ -18,6 +18,8 @@ struct OpaquePicture {
     gl::Texture distance;  ///< along the pixel's ray, from the eye or the plane through it, in `unit_world`; 1e30: none
     gl::Texture depth;
     gl::Framebuffer framebuffer;
+    gl::Texture thickness;  ///< R32F, mm: of a body that is seen through, while it is drawn
+    gl::Framebuffer thickness_framebuffer;
     double unit_world = 1.0;  ///< metres
     std::uint32_t unseen =
         0;  ///< pixels of translucent surfaces that no map sees; their light is worked out one by one
@@ -75,6 +77,9 @@ class OpaquePass {
     /// How many pixels no map saw.
     std::uint32_t draw_translucent(const PassAccess& access, const Parameters& parameters, const Stand& stand,
                                    const MeshInput& input);
+    /// Whether light from behind comes through a body; then `thickness` is drawn.
+    bool draw_thickness(const PassAccess& access, const Parameters& parameters, const Stand& stand,
+                        const MeshInput& input);
     /// Textures and constants of what is inside; the buffer must live until the mesh is drawn.
     static void set_inside(const PassAccess& access, gl::Program& program, const MeshInput& input, gl::Buffer& lamps);
     gl::Program& prepared_program(const Parameters& parameters, const Stand& stand, const gl::Defines& defines);
