@@ -18,6 +18,9 @@ void main()
 #else
 #include "include/view_ray.glsl"
 #include "include/lights.glsl"
+#ifdef SKY_LIGHT
+#include "include/sky_light.glsl"
+#endif
 #ifdef TRANSLUCENT
 #include "include/random.glsl"
 #include "include/octahedral.glsl"
@@ -140,7 +143,12 @@ void main()
     normal = gl_FrontFacing ? normal : -normal;
     float facing_eye = dot(normal, toward_eye);
 
-    vec3 reflected = ambient;
+    vec3 around = ambient;  // radiance from all sides
+#ifdef SKY_LIGHT
+    // Exact for a sky and a ground that are each of one radiance.
+    around += mix(sky_light.ground_radiance.xyz, sky_light.sky_radiance.xyz, 0.5 + 0.5 * normal.y);
+#endif
+    vec3 reflected = around;
     vec3 mirrored = vec3(0.0);
     for (int n = 0; n < DIRECTIONAL_LIGHTS; ++n) {
         Incident incident = incident_from_afar(n);
@@ -155,12 +163,12 @@ void main()
 #ifdef TRANSLUCENT
     float passing = fresnel_transmittance(facing_eye, medium.eta);
     vec3 picture = textured != 0 ? texture(diffuse_texture, coordinate).xyz : vec3(1.0);
-    vec3 within = light_from_within(facing_eye) + passing * diffuse_reflectance * ambient;
-    vec3 shine = specular * mirrored + (1.0 - passing) * ambient;
+    vec3 within = light_from_within(facing_eye) + passing * diffuse_reflectance * around;
+    vec3 shine = specular * mirrored + (1.0 - passing) * around;
     if (see_through != 0) {
         // Not bent at the surface; what it is bent to looks the same where the surroundings do on all sides.
         float chord = max(texelFetch(thickness, ivec2(gl_FragCoord.xy), 0).x, 0.0);
-        within += passing * passing * unscattered_transmittance(sigma_unscattered, chord) * ambient;
+        within += passing * passing * unscattered_transmittance(sigma_unscattered, chord) * around;
     }
     radiance = vec4(picture * within + (highlight != 0 ? shine : vec3(0.0)), 1.0);
 #else

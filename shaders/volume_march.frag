@@ -2,7 +2,7 @@
 // Emission and absorption of measured volumes along each pixel's ray, over the background.
 // VOLUMES: how many. LIT: lights matter; REFLECT: for surfaces (gradient shading), SCATTER: for scattering media, SURFACES:
 // for media that are also shaded as surfaces. GLOW: some volume shines by itself.
-// OPAQUE: rays end at surfaces.
+// OPAQUE: rays end at surfaces. SKY: a picture of surfaces and sky stands ready.
 // SAMPLE_AT_MIDPOINTS, LEAP, STOP_EARLY, COUNT: see include/march.glsl.
 
 #include "include/random.glsl"
@@ -28,6 +28,9 @@ uniform vec3 clip_high[VOLUMES];
 uniform float stop_transmittance;
 uniform int jitter;                      // 0 off, 1 hashed, 2 blue noise
 uniform sampler2D blue_noise;
+#ifdef SKY
+uniform sampler2D sky_picture;
+#endif
 uniform vec3 background_top;
 uniform vec3 background_bottom;
 #ifdef LIT
@@ -80,7 +83,9 @@ void main()
     medium_begin();
 #endif
     vec3 background = mix(background_bottom, background_top, gl_FragCoord.y / pixels.y);
-#ifdef OPAQUE
+#ifdef SKY
+    vec4 behind = texelFetch(sky_picture, ivec2(gl_FragCoord.xy), 0);
+#elif defined(OPAQUE)
     vec4 behind = opaque_over(background);
 #else
     vec4 behind = vec4(background, 0.0);

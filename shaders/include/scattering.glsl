@@ -3,6 +3,8 @@
 // Below the grid's resolution the last stretch to the light is looked up in the data themselves.
 // DIFFUSE_LIGHT: there is such a grid. SURFACES: surfaces are shaded by their normals as well. NEAR_STEPS: samples.
 
+#include "include/phase_function.glsl"
+
 // The grids of all lights are stacked along z in one texture: indexing samplers by light is beyond some drivers.
 uniform sampler3D direct_light[VOLUMES];
 uniform sampler3D diffuse_light[VOLUMES];
@@ -21,19 +23,13 @@ vec3 in_stack(vec3 place, int n, float half_cell)
     return vec3(place.xy, (float(n) + clamp(place.z, half_cell, 1.0 - half_cell)) * (1.0 / float(max(light_count, 1))));
 }
 
-// The phase function times 4 pi; `cosine` between the ways of travel before and after.
-float phase_4pi(float g, float cosine)
-{
-    float inverse = inversesqrt(max(1.0 + g * g - 2.0 * g * cosine, 1e-6));
-    return (1.0 - g * g) * inverse * inverse * inverse;
-}
-
 // Direct light of light n at the end of the stretch towards it that is looked up in the data, where its grids are to be
 // looked up, and the optical depth of that stretch.
 struct Arriving {
     float direct;
     float depth;
     vec3 lookup;
+    float beyond;  // what lies between there and the border, in half cells of the grid of direct light
 };
 
 Arriving arriving_light(int m, int n, vec3 x, Incident incident)
@@ -55,9 +51,9 @@ Arriving arriving_light(int m, int n, vec3 x, Incident incident)
 #endif
     arriving.lookup = (x + way * reach) * grid_from_texture_scale[m] + grid_from_texture_shift[m];
     // Cells at the border hold light from inside of them: over their outer half it is led to what comes from outside.
-    float inside = clamp(2.0 * rate * (outside - reach), 0.0, 1.0);
+    arriving.beyond = 2.0 * rate * (outside - reach);
     float direct = textureLod(direct_light[m], in_stack(arriving.lookup, n, half_cell[m].x), 0.0).x;
-    arriving.direct = mix(1.0, direct, inside);
+    arriving.direct = mix(1.0, direct, clamp(arriving.beyond, 0.0, 1.0));
     return arriving;
 }
 
@@ -79,17 +75,22 @@ vec3 scattered_source(int m, vec3 color, float weight, float t)
         vec3 diffuse = vec3(0.0);
 #ifdef DIFFUSE_LIGHT
         vec3 beside = textureLod(diffuse_light[m], in_stack(arriving.lookup, n, half_cell[m].y), 0.0).xyz;
+        float inside = clamp(arriving.beyond * half_cell[m].x / half_cell[m].y, 0.0, 1.0);
         if (scatter_kind[m] == 2) {
-            chromaticity = 4.0 * beside;
+            chromaticity = mix(vec3(1.0), 4.0 * beside, inside);
         } else {
+            beside *= inside;
             // The recurrence of the sweep over the last stretch, with the albedo of its end.
             vec3 depth = (1.0 - albedo) * arriving.depth;
             vec3 absorbed = vec3(opacity_of(depth.x), opacity_of(depth.y), opacity_of(depth.z));
             diffuse = (1.0 - opacity) * beside + (opacity - absorbed) * (beside + arriving.direct);
         }
 #endif
-        // Irradiance is over pi: p E = phase_4pi / 4 * (E / pi).
-        float phase = scatter_kind[m] == 2 ? 1.0 : phase_4pi(asymmetry[m], dot(incident.toward, ray_direction_world));
+        // Times 4 pi, since irradiance is over pi: p E = phase / 4 * (E / pi).
+        float phase = 1.0;
+        if (scatter_kind[m] != 2) {
+            phase = 12.5663706143592 * phase_function(dot(incident.toward, ray_direction_world), asymmetry[m]);
+        }
         vec3 by_phase = 0.25 * incident.irradiance * (phase * direct * chromaticity + diffuse);
 #ifdef SURFACES
         Reflected reflected = Reflected(vec3(0.0), vec3(0.0));

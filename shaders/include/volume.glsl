@@ -21,7 +21,7 @@ uniform vec2 optics_visible[VOLUMES];      // no extinction outside of these two
 uniform vec2 u_visible[VOLUMES];           // the same in u
 uniform float tau_scale[VOLUMES];          // optical depth per step and per unit of sigma in the tables
 uniform vec3 cells_from_texture[VOLUMES];  // macrocells along each axis, fractional
-uniform vec3 cells_inverse[VOLUMES];       // 1 / whole macrocells along each axis
+uniform vec3 last_cell[VOLUMES];           // indices of the last macrocell along each axis
 uniform mat3 world_from_gradient[VOLUMES]; // from gradient texels to world, scaled to data ranges per smallest voxel edge
 uniform vec3 gradient_zero[VOLUMES];       // texel that means no gradient
 
@@ -30,6 +30,9 @@ Volume ray_volumes[VOLUMES];
 vec3 ray_cells_origin[VOLUMES];
 vec3 ray_cells_step[VOLUMES];
 vec3 ray_steps_per_cell[VOLUMES];  // 1 / step, huge where the ray does not move
+// The border that the ray meets first, of a cube of cells around a cell: cell + ray_first_border + reach * ray_side.
+vec3 ray_side[VOLUMES];
+vec3 ray_first_border[VOLUMES];
 float ray_enter[VOLUMES];
 float ray_leave[VOLUMES];
 
@@ -48,6 +51,8 @@ void begin_ray(int m, Volume volume)
     ray_cells_step[m] = volume.direction * cells_from_texture[m];
     bvec3 still = lessThan(abs(ray_cells_step[m]), vec3(1e-20));
     ray_steps_per_cell[m] = mix(1.0 / mix(ray_cells_step[m], vec3(1.0), still), vec3(1e20), still);
+    ray_first_border[m] = vec3(lessThan(ray_steps_per_cell[m], vec3(0.0)));
+    ray_side[m] = 1.0 - 2.0 * ray_first_border[m];
 }
 
 struct Sample {
@@ -292,12 +297,12 @@ bool medium_empty(float t, out float until)
 #endif
         vec3 x = ray_cells_origin[m] + t * ray_cells_step[m];
         vec3 cell = floor(x);
-        float reach = float(textureLod(emptiness[m], (cell + 0.5) * cells_inverse[m], 0.0).x);
+        float reach = float(texelFetch(emptiness[m], ivec3(clamp(cell, vec3(0.0), last_cell[m])), 0).x);
         empty = empty && reach > 0.0;
         // Every cell nearer than `reach` is empty: leave the cube of cells around this one. An occupied cell is left
         // as soon as the ray leaves it.
         reach = max(reach, 1.0);
-        vec3 border = cell + mix(vec3(1.0 - reach), vec3(reach), greaterThan(ray_steps_per_cell[m], vec3(0.0)));
+        vec3 border = cell + (ray_first_border[m] + reach * ray_side[m]);
         vec3 distances = (border - x) * ray_steps_per_cell[m];
         until = min(until, t + max(0.0, min(distances.x, min(distances.y, distances.z))));
     }

@@ -172,7 +172,7 @@ void add_without_light(scene::Scene& scene, const std::string& argument, const s
 }
 
 void add_default_light(scene::Scene& scene) {
-    if (scene.lights.empty()) {
+    if (scene.lights.empty() && !scene.outdoors) {
         scene.lights.emplace("headlight", scene::Light{.kind = scene::LightKind::headlight});
         // Dark enough for glow, bright enough to see dark matter before it.
         if (*scene.background == scene::Background{}) {

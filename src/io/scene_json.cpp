@@ -143,6 +143,23 @@ void for_each_named(const json& object, const std::string& where, Read&& read) {
     }
 }
 
+/// Any of the three makes an outdoor scene; what is left out or null has its defaults.
+void read_outdoors(const json& document, const std::string& top, scene::Scene& scene) {
+    const auto read = [&]<class T>(const char* key, Tracked<T> scene::Outdoors::*part) {
+        if_present(document, top, key, [&](const json& from, const std::string& here) {
+            if (!from.is_null()) {
+                if (!scene.outdoors) {
+                    scene.outdoors.emplace();
+                }
+                (*scene.outdoors).*part = read_fields<T>(from, here);
+            }
+        });
+    };
+    read("sky", &scene::Outdoors::sky);
+    read("sun", &scene::Outdoors::sun);
+    read("atmosphere", &scene::Outdoors::atmosphere);
+}
+
 }  // namespace
 
 json to_json(const scene::Scene& scene) {
@@ -155,6 +172,11 @@ json to_json(const scene::Scene& scene) {
                   {"nodes", json::object()}};
     if (scene.camera) {
         document["camera"] = fields_json(**scene.camera);
+    }
+    if (scene.outdoors) {
+        document["sky"] = fields_json(*scene.outdoors->sky);
+        document["sun"] = fields_json(*scene.outdoors->sun);
+        document["atmosphere"] = fields_json(*scene.outdoors->atmosphere);
     }
     for (const auto& [name, light] : scene.lights) {
         document["lights"][name] = fields_json(*light);
@@ -170,13 +192,15 @@ scene::Scene from_json(const json& document, const std::string& where, const Fol
     require_object(document, top);
     check_version(document, version_key, version, where);
     require_known_keys(document, top,
-                       {version_key, "camera", "background", "environment", "rendering", "display", "lights", "nodes"});
+                       {version_key, "camera", "sky", "sun", "atmosphere", "background", "environment", "rendering",
+                        "display", "lights", "nodes"});
     scene::Scene scene;
     if_present(document, top, "camera", [&](const json& from, const std::string& here) {
         if (!from.is_null()) {
             scene.camera.emplace(read_fields<scene::Camera>(from, here));
         }
     });
+    read_outdoors(document, top, scene);
     if_present(document, top, "background", [&](const json& from, const std::string& here) {
         scene.background = read_fields<scene::Background>(from, here);
     });

@@ -10,14 +10,16 @@ namespace bruma::io {
 
 /// A scene as a document: every field of every part under its name in the table of parameters (scene/field.h).
 ///
-///     { "bruma_scene": 1, "camera": {...}, "background": {...}, "rendering": {...}, "display": {...},
+///     { "bruma_scene": 1, "camera": {...}, "sky": {...}, "sun": {...}, "atmosphere": {...}, "background": {...},
+///     "rendering": {...}, "display": {...},
 ///       "lights": { NAME: {...} },
 ///       "nodes": { NAME: { "kind": "volume" or "group", "parent": NAME or "", "visible": true, "transform": {...},
 ///                          "source": {...}, "transfer_function": {...} or a preset's name, "clip": {...},
 ///                          and the fields of VolumeOptics },
 ///                  NAME: { "kind": "mesh", ..., "source": {...}, and the fields of MeshSurface } } }
 ///
-/// Grids and triangles are not part of it; `camera` is left out until someone has chosen it.
+/// Grids and triangles are not part of it; `camera` is left out until someone has chosen it, and `sky`, `sun` and
+/// `atmosphere` indoors.
 nlohmann::json to_json(const scene::Scene& scene);
 
 /// The reverse. Missing keys keep their defaults; grids and triangles stay null; what comes back has passed

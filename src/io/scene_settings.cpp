@@ -10,6 +10,7 @@
 #include "base/nearest_name.h"
 #include "io/json_fields.h"
 #include "scene/camera.h"
+#include "scene/sky.h"
 
 namespace bruma::io {
 namespace {
@@ -107,6 +108,15 @@ void assign(json& place, const std::string& value) {
     place = is_text ? json(value) : std::move(parsed);
 }
 
+/// Parts of a scene that nobody has chosen yet: a setting of one changes the default one.
+template <class Part>
+void make_if_missing(json& document, const std::string& asked, const char* name) {
+    if (asked == name && (!document.contains(name) || document[name].is_null())) {
+        json& part = document[name] = json::object();
+        write_fields(Part{}, part);
+    }
+}
+
 }  // namespace
 
 void apply_setting(json& scene_document, std::string_view path_equals_value) {
@@ -130,11 +140,10 @@ void apply_setting(json& scene_document, std::string_view path_equals_value) {
         }
         return;
     }
-    if (first == "camera" && (!scene_document.contains("camera") || scene_document["camera"].is_null())) {
-        // Nobody has chosen a camera yet: the setting changes the default one.
-        json& camera = scene_document["camera"] = json::object();
-        write_fields(scene::Camera{}, camera);
-    }
+    make_if_missing<scene::Camera>(scene_document, first, "camera");
+    make_if_missing<scene::Sky>(scene_document, first, "sky");
+    make_if_missing<scene::Sun>(scene_document, first, "sun");
+    make_if_missing<scene::Atmosphere>(scene_document, first, "atmosphere");
     assign(walk.down(scene_document, 0), value);
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "gl/buffer.h"
+#include "render/cone_kernel.h"
 
 namespace bruma::render {
 namespace {
@@ -97,39 +98,6 @@ int sweep_group(gl::Program& sweep, const SweepPlan& plan, const std::vector<Swe
 }
 
 }  // namespace
-
-std::array<double, 9> cone_kernel(double g, double cone_angle_rad, glm::dvec3 cell, glm::dvec2 shift_cells) {
-    // The phase function is narrower than a cell for large g, so it is integrated over each of them.
-    constexpr int fine = 9;
-    const glm::dvec3 crossing(shift_cells * glm::dvec2(cell), cell.z);
-    const glm::dvec3 omega = glm::normalize(crossing);
-    std::array<double, 9> weights{};
-    double sum = 0.0;
-    for (int n = 0; n < 9; ++n) {
-        for (int j = 0; j < fine; ++j) {
-            for (int i = 0; i < fine; ++i) {
-                const glm::dvec3 way = crossing + glm::dvec3(cell.x * (n % 3 - 1 + (i + 0.5) / fine - 0.5),
-                                                             cell.y * (n / 3 - 1 + (j + 0.5) / fine - 0.5), 0.0);
-                const double distance = glm::length(way);
-                const double cosine = glm::dot(omega, way) / distance;
-                if (cosine < std::cos(cone_angle_rad)) {
-                    continue;
-                }
-                const double spread = 1.0 + g * g - 2.0 * g * cosine;
-                const double solid_angle = cell.z / (distance * distance * distance);
-                weights[std::size_t(n)] += (1.0 - g * g) / (spread * std::sqrt(spread)) * solid_angle;
-            }
-        }
-        sum += weights[std::size_t(n)];
-    }
-    if (!(sum > 0.0)) {  // a cone narrower than a ninth of a cell
-        weights[4] = sum = 1.0;
-    }
-    for (double& weight : weights) {
-        weight /= sum;
-    }
-    return weights;
-}
 
 SweptLight sweep_light(gl::ShaderLibrary& shaders, const gl::Texture& extinction, const gl::Texture& albedo,
                        const SweepPlan& plan, const SweepSettings& settings, const EmptySpace& empty) {

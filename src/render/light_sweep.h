@@ -1,6 +1,4 @@
 #pragma once
-#include <array>
-
 #include "gl/shader_library.h"
 #include "gl/texture.h"
 #include "render/light_sweep_plan.h"
@@ -38,11 +36,5 @@ struct SweptLight {
 /// Sweeps one light through a medium and combines the axes.
 SweptLight sweep_light(gl::ShaderLibrary& shaders, const gl::Texture& extinction, const gl::Texture& albedo,
                        const SweepPlan& plan, const SweepSettings& settings, const EmptySpace& empty = {});
-
-/// Weights of the 3 x 3 cells around the crossing of the previous slice, for light from within a cone about the way to
-/// the light, by the phase function over the solid angle of each cell; their sum is 1. Row by row; `cell` holds the
-/// cell's edges along u and v and the distance between slices, all in one unit; `shift_cells` is where the ray to the
-/// light crosses the previous slice.
-std::array<double, 9> cone_kernel(double g, double cone_angle_rad, glm::dvec3 cell, glm::dvec2 shift_cells);
 
 }  // namespace bruma::render

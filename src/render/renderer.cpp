@@ -6,6 +6,7 @@
 
 #include "base/log.h"
 #include "render/view_rays.h"
+#include "scene/sun_lamp.h"
 
 namespace bruma::render {
 namespace {
@@ -58,6 +59,20 @@ double Renderer::step_world(const scene::Scene& scene) {
 }
 
 void Renderer::update(const scene::Scene& scene, const View& view) {
+    if (!scene.outdoors) {
+        sky_.reset();
+        update_passes(scene, view);
+        return;
+    }
+    if (!sky_) {
+        sky_ = std::make_unique<SkyPasses>(graph_, shaders_);
+    }
+    scene::Scene lit = scene;
+    lit.lights.insert_or_assign("sun in the sky", scene::sun_lamp(*scene.outdoors->sun, *scene.outdoors->atmosphere));
+    update_passes(lit, view);
+}
+
+void Renderer::update_passes(const scene::Scene& scene, const View& view) {
     const std::vector<std::string> shown = scene::shown_volumes(scene);
     for (const std::string& name : shown) {
         if (!volumes_.contains(name)) {
@@ -84,11 +99,19 @@ void Renderer::update(const scene::Scene& scene, const View& view) {
             said_no_meshes_ = true;
             log_warning("path_traced lighting: paths do not meet meshes yet, so they are left out of the picture");
         }
+        if (!said_no_sky_ && sky_) {
+            said_no_sky_ = true;
+            log_warning("path_traced lighting: paths meet the sun but not the sky; set environment.radiance instead");
+        }
         path_trace_.update(scene, volumes_, view);
     } else {
         path_trace_.forget_all();
-        march_.update(scene, volumes_, lights_, opaque_ ? opaque_->picture : Handle<OpaquePicture>{},
-                      {view.pixels, view.step_scale}, step);
+        const Handle<OpaquePicture> opaque = opaque_ ? opaque_->picture : Handle<OpaquePicture>{};
+        if (sky_) {
+            sky_->update(scene, opaque, view.pixels);
+        }
+        march_.update(scene, volumes_, lights_, opaque, {view.pixels, view.step_scale}, step,
+                      sky_ ? sky_->picture : Handle<SkyPicture>{});
     }
 }
 
@@ -136,7 +159,8 @@ void Renderer::update_meshes(const scene::Scene& scene, const std::vector<std::s
         }
         shadows_->update(scene, meshes_, lights);
     }
-    opaque_->update(scene, meshes_, translucents_, shadows_ ? shadows_->maps : Handle<ShadowMaps>{}, view.pixels);
+    opaque_->update(scene, meshes_, translucents_, shadows_ ? shadows_->maps : Handle<ShadowMaps>{}, view.pixels,
+                    sky_ ? sky_->light : Handle<SkyLight>{});
 }
 
 void Renderer::update_translucent(const scene::Scene& scene, const std::vector<std::string>& shown,

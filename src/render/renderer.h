@@ -8,6 +8,7 @@
 #include "render/frame_graph.h"
 #include "render/passes/march_pass.h"
 #include "render/passes/path_trace_pass.h"
+#include "render/passes/sky_passes.h"
 #include "scene/scene.h"
 
 namespace bruma::render {
@@ -66,6 +67,8 @@ class Renderer {
 
   private:
     void update(const scene::Scene& scene, const View& view);
+    /// All lamps, the sun of an outdoor scene too, are among the scene's lights.
+    void update_passes(const scene::Scene& scene, const View& view);
     void update_meshes(const scene::Scene& scene, const std::vector<std::string>& shown, const View& view);
     void update_translucent(const scene::Scene& scene, const std::vector<std::string>& shown,
                             const std::vector<scene::Light>& lights, const View& view);
@@ -81,9 +84,10 @@ class Renderer {
     MarchPass::Lights lights_;  ///< of the volumes that scatter
     OpaquePass::Meshes meshes_;
     std::unique_ptr<ShadowPass> shadows_;    ///< none while no lamp casts any
+    std::unique_ptr<SkyPasses> sky_;         ///< none indoors
     OpaquePass::Translucents translucents_;  ///< of the meshes that light enters
     std::unique_ptr<OpaquePass> opaque_;     ///< none while no mesh is shown
-    bool said_no_meshes_ = false;
+    bool said_no_meshes_ = false, said_no_sky_ = false;
 };
 
 }  // namespace bruma::render

@@ -11,6 +11,15 @@ constexpr int depth_entries = 1021;
 /// Entries along each edge of the 2-D tables.
 constexpr int source_entries = 256;
 
+/// Texture coordinate of u in [0, 1] in a table of so many entries, the first and last of which stand for 0 and 1.
+constexpr double table_coordinate(double u, int entries) {
+    return (u * (entries - 1) + 0.5) / entries;
+}
+/// The same as a map of texels, from one to u: coordinate = x * texel + y.
+inline glm::dvec2 table_from_voxel(glm::dvec2 u_from_voxel, int entries) {
+    return {u_from_voxel.x * (entries - 1) / entries, table_coordinate(u_from_voxel.y, entries)};
+}
+
 /// A transfer function in the form that the marcher looks up. Extinction is per reference length, so the tables hold
 /// for any step and size of the world.
 struct TransferTables {

@@ -39,6 +39,13 @@ void check_edges(const scene::VolumeGrid& grid) {
 
 }  // namespace
 
+glm::dvec2 u_from_voxel(const VolumeTexture& voxels, std::array<double, 2> window) {
+    constexpr double where_floats_end = 1e30;
+    const glm::dvec2 map = glm::dvec2(voxels.value_of_one - voxels.value_of_zero, voxels.value_of_zero - window[0]) /
+                           (window[1] - window[0]);
+    return map * std::min(1.0, where_floats_end / std::max({1e-300, std::abs(map.x), std::abs(map.y)}));
+}
+
 bool filters_8bit_texels_precisely() {
     // A gathered half-way texel between 0 and 1/255, drawn into a float pixel by blitting cannot filter floats, so the
     // question is put to the sampler by a compute shader of three lines.

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include "gl/texture.h"
 #include "scene/volume_grid.h"
 
@@ -9,6 +10,10 @@ struct VolumeTexture {
     gl::Texture texture;
     double value_of_zero = 0.0, value_of_one = 1.0;  ///< data values of texels 0 and 1
 };
+
+/// The map from texels to u, in which `window` is [0, 1]: u = x * texel + y. Finite also for a window that is tiny
+/// beside the data: a step then, which it stays, at its place.
+glm::dvec2 u_from_voxel(const VolumeTexture& voxels, std::array<double, 2> window);
 
 /// Uploads a grid. 8-bit data take 16-bit texels where the driver filters 8-bit texels with 8-bit arithmetic, which
 /// would lose the values in between. Throws InputError when an edge is longer than the driver allows.

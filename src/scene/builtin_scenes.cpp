@@ -7,6 +7,7 @@
 #include "base/nearest_name.h"
 #include "scene/builtin.h"
 #include "scene/builtin_mesh_scenes.h"
+#include "scene/mesh_builtin.h"
 
 namespace bruma::scene {
 namespace {
@@ -147,6 +148,41 @@ Scene scattering_blobs() {
     return scene;
 }
 
+/// Above a plain, the sun to the left of the view.
+Scene under_the_sun(double elevation_deg, double azimuth_deg, double exposure_ev) {
+    Scene scene;
+    scene.outdoors.emplace();
+    scene.outdoors->sun = Sun{.elevation_deg = elevation_deg, .azimuth_deg = azimuth_deg};
+    scene.display = Display{.exposure_ev = exposure_ev, .tone_map = ToneMap::filmic};
+    scene.camera = Camera{.eye_world = {0.0, 1.7, 0.0}, .target_world = {0.0, 2.05, -1.0}, .vertical_angle_deg = 60.0};
+    return scene;
+}
+
+Scene sky_noon() {
+    return under_the_sun(38.0, -38.0, 4.4);
+}
+
+Scene sky_sunset() {
+    return under_the_sun(1.5, -20.0, 6.0);
+}
+
+Scene sky_twilight() {
+    return under_the_sun(-5.0, -20.0, 10.4);
+}
+
+/// The pot in the garden in the late afternoon.
+Scene pot_outdoors() {
+    Scene scene = under_the_sun(22.0, -110.0, 4.0);
+    Mesh pot;
+    pot.source.file = "builtin:pot";
+    pot.triangles = builtin_mesh("pot").mesh;
+    pot.surface.edit([](MeshSurface& surface) { surface.diffuse_color = {0.55, 0.25, 0.14}; });
+    const Transform on_ground{.translation = {0.0, -(*pot.triangles)->low.y, 0.0}};
+    scene.nodes["pot"] = {.parent = {}, .visible = true, .transform = on_ground, .content = std::move(pot)};
+    look_from(scene, {0.25, 0.1, 0.9}, 1.3);
+    return scene;
+}
+
 struct BuiltinScene {
     const char* name;
     Scene (*make)();
@@ -159,6 +195,10 @@ constexpr std::array builtin_scenes{
     BuiltinScene{"scattering", scattering},
     BuiltinScene{"scattering-blobs", scattering_blobs},
     BuiltinScene{"translucent", translucent_scene},
+    BuiltinScene{"sky-noon", sky_noon},
+    BuiltinScene{"sky-sunset", sky_sunset},
+    BuiltinScene{"sky-twilight", sky_twilight},
+    BuiltinScene{"pot-outdoors", pot_outdoors},
 };
 
 }  // namespace

@@ -31,8 +31,7 @@ struct RenderSettings {
     bool early_termination = true;
     double stop_transmittance = 1.0 / 1024.0;  ///< rays end below this; error at most this times the largest radiance
     Jitter jitter = Jitter::off;
-    std::int64_t shadow_map_size = 1024;  ///< texels along an edge of what each lamp sees of all meshes; 0:
-                                          ///< no shadows
+    std::int64_t shadow_map_size = 1024;  ///< texels along an edge of what each lamp sees of all meshes; 0: no shadows
     bool operator==(const RenderSettings&) const = default;
 };
 
@@ -68,8 +67,7 @@ void visit_fields(Self& settings, Visitor&& visit) {
     visit(Field{.name = "jitter", .sentence = "shift each ray's first segment to trade bands for grain"},
           settings.jitter);
     visit(Field{.name = "shadow_map_size",
-                .sentence = "texels along an edge of what each lamp sees of all "
-                            "meshes; 0: meshes cast no shadows",
+                .sentence = "texels along an edge of what each lamp sees of all meshes; 0: meshes cast no shadows",
                 .min = 0,
                 .max = 8192,
                 .panel_min = 0,

@@ -149,6 +149,9 @@ void check(const Scene& scene) {
                 fmt::format("lights.{}.direction: (0, 0, 0) points nowhere; give the way to the light", name));
         }
     }
+    if (scene.outdoors) {
+        check(*scene.outdoors->sun, "sun.date");
+    }
     if (scene.camera) {
         const Camera& camera = **scene.camera;
         if (camera.eye_world == camera.target_world) {

@@ -10,6 +10,7 @@
 #include "scene/light.h"
 #include "scene/mesh.h"
 #include "scene/rendering.h"
+#include "scene/sky.h"
 #include "scene/volume.h"
 
 namespace bruma::scene {
@@ -49,10 +50,20 @@ struct Node {
     std::variant<Group, Volume, Mesh> content;
 };
 
+/// Sun and air around everything. The ground is y = 0, and the planet goes with the camera: up is y and the altitude of
+/// the camera is its y wherever it stands; away from it the ground curves down.
+struct Outdoors {
+    Tracked<Sky> sky;
+    Tracked<Sun> sun;
+    Tracked<Atmosphere> atmosphere;
+};
+
 /// All that a picture depends on. Plain data; no GL and no files.
 struct Scene {
     /// Unset until someone chooses: the scene is then framed by `fit_camera`.
     std::optional<Tracked<Camera>> camera;
+    /// Unset: the background is seen behind all, and only `lights` shine.
+    std::optional<Outdoors> outdoors;
     Tracked<Background> background;
     Tracked<Environment> environment;
     Tracked<RenderSettings> rendering;

@@ -28,6 +28,18 @@ scene::Scene rich_scene() {
     scene.rendering =
         scene::RenderSettings{scene::Classification::post, false, 0.7, false, false, 0.01, scene::Jitter::blue_noise};
     scene.environment = scene::Environment{{0.2, 0.3, 0.4}};
+    scene.outdoors = scene::Outdoors{scene::Sky{scene::SkyModel::preetham, false, 3.3, 0.5, 0.01, 0.7},
+                                     scene::Sun{.placement = scene::SunPlacement::place_and_time,
+                                                .elevation_deg = -1.0 / 3.0,
+                                                .azimuth_deg = 200.1,
+                                                .latitude_deg = -33.0,
+                                                .longitude_deg = 151.2,
+                                                .date = {1999, 2, 28},
+                                                .hour_utc = 3.25,
+                                                .irradiance = {2.0, 1.9, 1.8},
+                                                .angular_radius_deg = 0.3,
+                                                .limb_darkening = false},
+                                     scene::Atmosphere{.planet_radius_m = 3390e3, .ground_albedo = {0.1, 0.2, 0.3}}};
     scene.display = scene::Display{-1.5, scene::ToneMap::filmic, false};
     scene.lights.emplace(
         "sun", scene::Light{scene::LightKind::spot, {0, 1, 0}, {4, 5, 6}, 33.0, 0.7, {1, 0.5, 0.1}, 3.0, false});
@@ -96,6 +108,10 @@ TEST(SceneJson, RoundTripChangesNothing) {
     EXPECT_EQ(*again.rendering, *scene.rendering);
     EXPECT_EQ(*again.display, *scene.display);
     EXPECT_EQ(*again.background, *scene.background);
+    ASSERT_TRUE(again.outdoors);
+    EXPECT_EQ(*again.outdoors->sky, *scene.outdoors->sky);
+    EXPECT_EQ(*again.outdoors->sun, *scene.outdoors->sun);
+    EXPECT_EQ(*again.outdoors->atmosphere, *scene.outdoors->atmosphere);
     EXPECT_EQ(again.nodes.at("bonsai").parent, "all");
     EXPECT_FALSE(again.nodes.at("all").visible);
 }
@@ -104,6 +120,7 @@ TEST(SceneJson, AnEmptySceneNeedsOnlyItsVersion) {
     const scene::Scene scene = from_json(json{{"bruma_scene", 1}}, "");
     EXPECT_FALSE(scene.camera);
     EXPECT_TRUE(scene.nodes.empty());
+    EXPECT_FALSE(scene.outdoors);
 }
 
 TEST(SceneJson, RefusesOtherVersionsWithBothNumbers) {
@@ -194,6 +211,21 @@ TEST(SceneSettings, ChangeACameraThatNobodyHasChosen) {
     json document = to_json(scene::Scene{});
     apply_setting(document, "camera.vertical_angle=50");
     EXPECT_EQ((*from_json(document, "").camera)->vertical_angle_deg, 50.0);
+}
+
+TEST(SceneSettings, OneOfSkySunAndAirLeadsOutdoors) {
+    for (const char* const setting : {"sky.model=preetham", "sun.elevation=10", "atmosphere.mie_g=0.5"}) {
+        json document = to_json(scene::Scene{});
+        apply_setting(document, setting);
+        EXPECT_TRUE(from_json(document, "").outdoors) << setting;
+    }
+    json document = to_json(scene::Scene{});
+    apply_setting(document, "sun.elevation=10");
+    const scene::Scene scene = from_json(document, "");
+    EXPECT_EQ(*scene.outdoors->sun, scene::Sun{.elevation_deg = 10.0});
+    EXPECT_EQ(*scene.outdoors->sky, scene::Sky{});
+    apply_setting(document, "sun.date=[2023, 2, 29]");
+    EXPECT_TRUE(contains(refusal([&] { from_json(document, ""); }), "2023-2-29 is no date"));
 }
 
 TEST(SceneSettings, KnowNodesWithDotsInTheirNames) {

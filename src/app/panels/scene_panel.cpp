@@ -9,6 +9,7 @@
 #include "app/panels/mesh_inside.h"
 #include "app/panels/theme.h"
 #include "app/panels/volume_lighting.h"
+#include "base/error.h"
 
 namespace bruma::app {
 namespace {
@@ -143,6 +144,20 @@ void show_light(PanelContext& context, scene::Light& light) {
     });
 }
 
+bool is_of_place_or_time(const Field& field) {
+    return field.sentence.starts_with("place:") || field.sentence.starts_with("time:");
+}
+
+/// Not on the 31st of February.
+bool is_sound(const scene::Sun& sun) {
+    try {
+        scene::check(sun, "");
+    } catch (const InputError&) {
+        return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 void show_nodes(PanelContext& context) {
@@ -233,6 +248,42 @@ void show_lights(PanelContext& context) {
     }
     if (!any_lit && !context.scene.nodes.empty()) {
         ImGui::TextColored(theme::faint, "No node is lit: choose its lighting first.");
+    }
+}
+
+void show_sky(PanelContext& context) {
+    std::optional<scene::Outdoors>& outdoors = context.scene.outdoors;
+    bool wanted = outdoors.has_value();
+    ImGui::Checkbox("sun, sky and ground", &wanted);
+    context.places.note_last("sky-on");
+    tooltip("the ground is y = 0; the sun and the sky light meshes and volumes");
+    if (wanted != outdoors.has_value()) {
+        outdoors = wanted ? std::make_optional<scene::Outdoors>() : std::nullopt;
+    }
+    if (!outdoors) {
+        return;
+    }
+    const auto note = [&](const Field& field) { context.places.note_last("sky-" + std::string(field.name)); };
+    const auto all = [](const Field&) { return true; };
+    const bool by_place = outdoors->sun->placement == scene::SunPlacement::place_and_time;
+    edit_tracked(outdoors->sky, all, note);
+    ImGui::Separator();
+    scene::Sun sun = *outdoors->sun;
+    edit_fields(
+        sun, [by_place](const Field& field) { return by_place || !is_of_place_or_time(field); }, note);
+    if (is_sound(sun)) {
+        outdoors->sun.set(sun);
+    }
+    if (by_place) {
+        const auto at = scene::sun_angles(sun.latitude_deg, sun.longitude_deg, sun.date, sun.hour_utc);
+        ImGui::TextDisabled("elevation %.2f deg, azimuth %.2f deg", at.elevation_deg, at.azimuth_deg);
+    }
+    if (ImGui::TreeNode("Air and ground")) {
+        edit_tracked(outdoors->atmosphere, all, note);
+        if (ImGui::SmallButton("As on Earth")) {
+            outdoors->atmosphere.set({});
+        }
+        ImGui::TreePop();
     }
 }
 

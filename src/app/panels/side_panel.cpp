@@ -53,6 +53,9 @@ void show_sections(PanelContext& context, TransferFunctionPanel& transfer_functi
     if (section(context, "Lights", false)) {
         show_lights(context);
     }
+    if (section(context, "Sky", false)) {
+        show_sky(context);
+    }
     if (section(context, "Display", false)) {
         show_display(context);
     }

@@ -52,6 +52,9 @@ Verb declare_describe_parameters(CLI::App&) {
         print_part<scene::RenderSettings>("Rendering", "rendering.");
         print_part<scene::Display>("Display", "display.");
         print_part<scene::Background>("Background", "background.");
+        print_part<scene::Sky>("Sky", "sky.");
+        print_part<scene::Sun>("Sun", "sun.");
+        print_part<scene::Atmosphere>("Air", "atmosphere.");
         print_part<scene::Environment>("Environment", "environment.");
         print_part<scene::Light>("Lights", "lights.NAME.");
         print_part<scene::Transform>("Nodes", "nodes.NAME.transform.");

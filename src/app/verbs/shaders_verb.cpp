@@ -66,6 +66,9 @@ Variants march_variants() {
             variants.push_back(defines);
         }
     }
+    // The sky stands in for what is behind, whatever the march does.
+    variants.push_back({{"VOLUMES", "1"}, {"SKY", ""}});
+    variants.push_back({{"VOLUMES", "2"}, {"SKY", ""}, {"OPAQUE", ""}});
     return variants;
 }
 
@@ -100,15 +103,37 @@ Variants light_variants(const std::string& file) {
     return variants;
 }
 
+Variants sky_variants() {
+    Variants variants;
+    for (const char* const model : {"", "PREETHAM", "LOOK"}) {
+        for (int bits = 0; bits < 4; ++bits) {
+            gl::Defines defines;
+            for (const char* const name : {model, bits & 1 ? "MARCH" : "", bits & 2 ? "OPAQUE" : ""}) {
+                if (*name != '\0') {
+                    defines[name] = "";
+                }
+            }
+            variants.push_back(defines);
+        }
+    }
+    return variants;
+}
+
 /// Every combination of the switches that the passes use.
 Variants variants_of(const std::string& file) {
     if (file == "background.frag") {
-        return {{}, {{"OPAQUE", ""}}};
+        return {{}, {{"OPAQUE", ""}}, {{"SKY", ""}}};
+    }
+    if (file == "sky.frag") {
+        return sky_variants();
     }
     if (file == "mesh.frag") {
         const gl::Defines lights{{"DIRECTIONAL_LIGHTS", "1"}, {"POINT_LIGHTS", "1"}};
         Variants variants{{{"DEPTH_ONLY", ""}}, {{"THICKNESS", ""}}, lights};
-        for (gl::Defines inside : Variants{{}, {{"FROM_POINTS", ""}}, {{"FROM_POINTS", ""}, {"CUBE_LAMPS", ""}}}) {
+        variants.push_back(lights);
+        variants.back()["SKY_LIGHT"] = "";
+        for (gl::Defines inside :
+             Variants{{}, {{"SKY_LIGHT", ""}}, {{"FROM_POINTS", ""}}, {{"FROM_POINTS", ""}, {"CUBE_LAMPS", ""}}}) {
             inside.insert(lights.begin(), lights.end());
             inside["TRANSLUCENT"] = "";
             variants.push_back(inside);

@@ -11,6 +11,11 @@ void append_content(SceneStamp& stamp, const scene::Scene& scene) {
     stamp.push_back(scene.background.revision());
     stamp.push_back(scene.environment.revision());
     stamp.push_back(scene.rendering.revision());
+    if (scene.outdoors) {
+        stamp.push_back(scene.outdoors->sky.revision());
+        stamp.push_back(scene.outdoors->sun.revision());
+        stamp.push_back(scene.outdoors->atmosphere.revision());
+    }
     for (const auto& [name, light] : scene.lights) {
         stamp.push_back(hash(name));
         stamp.push_back(light.revision());

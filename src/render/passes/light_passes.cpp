@@ -2,10 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-
 #include "base/error.h"
 #include "render/light_sweep.h"
+#include "render/passes/shadow_rays.h"
 
 namespace bruma::render {
 namespace {
@@ -14,134 +13,13 @@ int coarsening_of(scene::LightResolution resolution) {
     return 1 << int(resolution);
 }
 
-struct MediumParameters {
-    LightGrid grid;
-    int samples = 1;  ///< along each edge of a cell
-    bool with_albedo = false;
-    glm::dvec3 albedo{1.0};  ///< of the optics; 0 when it is not wanted
-    std::array<double, 2> window{0.0, 1.0};
-    double depth_per_sigma = 1.0;
-    glm::dmat4 cells_from_texture{1.0};
-    bool operator==(const MediumParameters&) const = default;
-};
-
 struct SweepParameters {
     SweepPlan plan;
     LightTransport transport = LightTransport::direct;
     SweepSettings settings;
-    scene::ClipBox clip;
-    // Shadow rays only.
-    glm::dmat4 world_from_texture{1.0};
-    double step_world = 0.0;
-    double tau_per_step = 0.0;
-    std::array<double, 2> window{0.0, 1.0};
+    ShadowRays rays;  ///< only where transport is by them
     bool operator==(const SweepParameters&) const = default;
 };
-
-/// u_from_voxel as the shaders want it, and the coordinate in a 1-D table.
-glm::dvec2 optics_from_voxel(const VolumeTexture& voxels, std::array<double, 2> window) {
-    const double width = window[1] - window[0];
-    glm::dvec2 u(voxels.value_of_one - voxels.value_of_zero, voxels.value_of_zero - window[0]);
-    u /= width;
-    u *= std::min(1.0, 1e30 / std::max(1e-300, std::max(std::abs(u.x), std::abs(u.y))));
-    const double scale = double(depth_entries - 1) / depth_entries;
-    return {u.x * scale, u.y * scale + 0.5 / depth_entries};
-}
-
-gl::Texture optics_texture(const TransferTables& tables) {
-    gl::Texture texture = gl::Texture::make_1d("optics of the light's medium", GL_RGBA32F, depth_entries);
-    texture.upload({GL_RGBA, GL_FLOAT}, tables.optics.data());
-    return texture;
-}
-
-/// Texture space of cell (0, 0, 0)'s corner, and per cell.
-std::array<glm::dvec3, 2> texture_of_cells(const glm::dmat4& cells_from_texture) {
-    const glm::dmat4 texture_from_cells = glm::inverse(cells_from_texture);
-    return {glm::dvec3(texture_from_cells[3]),
-            {texture_from_cells[0][0], texture_from_cells[1][1], texture_from_cells[2][2]}};
-}
-
-void make_medium(gl::ShaderLibrary& shaders, const VolumeTexture& voxels, const EmptinessTexture& emptiness,
-                 const scene::TransferFunction& tf, const MediumParameters& p, LightMedium& medium) {
-    const TransferTables tables =
-        make_transfer_tables(tf, {.preintegrated = false, .lit = true, .scatters = true, .albedo = p.albedo});
-    const gl::Texture optics = optics_texture(tables);
-    medium.extinction = gl::Texture::make_3d("extinction for light", GL_R32F, p.grid.cells);
-    medium.albedo = p.with_albedo ? gl::Texture::make_3d("albedo for light", GL_RGBA16F, p.grid.cells) : gl::Texture();
-    gl::Program& program =
-        shaders.get("light_medium.comp", p.with_albedo ? gl::Defines{{"ALBEDO", ""}} : gl::Defines{});
-    const auto [low, per_cell] = texture_of_cells(p.cells_from_texture);
-    voxels.texture.bind(0);
-    optics.bind(1);
-    emptiness.distance.bind(2);
-    program.set("voxels", 0);
-    program.set("optics_table", 1);
-    program.set("emptiness", 2);
-    program.set("optics_from_voxel", glm::vec2(optics_from_voxel(voxels, p.window)));
-    program.set("depth_per_sigma", float(p.depth_per_sigma));
-    program.set("cells", p.grid.cells);
-    program.set("texture_low", glm::vec3(low));
-    program.set("texture_per_cell", glm::vec3(per_cell));
-    program.set("macrocells_from_texture", glm::vec3(emptiness.voxels) / float(emptiness.edge));
-    program.set("samples", p.samples);
-    program.use();
-    glBindImageTexture(0, medium.extinction.name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32F);
-    if (p.with_albedo) {
-        glBindImageTexture(1, medium.albedo.name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA16F);
-    }
-    glDispatchCompute(GLuint(p.grid.cells.x + 7) / 8, GLuint(p.grid.cells.y + 3) / 4, GLuint(p.grid.cells.z + 3) / 4);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-}
-
-gl::Texture trace_shadow_rays(gl::ShaderLibrary& shaders, const VolumeTexture& voxels,
-                              const EmptinessTexture& emptiness, const scene::TransferFunction& tf,
-                              const SweepParameters& p) {
-    const TransferTables tables = make_transfer_tables(tf, {.preintegrated = false});
-    const gl::Texture optics = optics_texture(tables);
-    const bool single = p.settings.precision == scene::LightPrecision::single;
-    gl::Texture direct = gl::Texture::make_3d("direct light", single ? GL_R32F : GL_R16F, p.plan.grid.cells);
-    gl::Defines defines{{"VOLUMES", "1"},
-                        {"SAMPLE_AT_MIDPOINTS", ""},
-                        {"LEAP", ""},
-                        {"STOP_EARLY", ""},
-                        {"FORMAT", single ? "r32f" : "r16f"}};
-    if (p.plan.from_point) {
-        defines["FROM_POINT"] = "";
-    }
-    gl::Program& program = shaders.get("light_rays.comp", defines);
-    const glm::dmat4 texture_from_world = glm::inverse(p.world_from_texture);
-    const glm::dmat4 texture_from_cells = texture_from_world * p.plan.grid.world_from_cells;
-    const glm::dvec3 to_light = p.plan.from_point ? glm::dvec3(texture_from_cells * glm::dvec4(p.plan.light_cells, 1.0))
-                                                  : glm::dmat3(texture_from_cells) * p.plan.light_cells * p.step_world;
-    voxels.texture.bind(0);
-    program.set_at("voxels", 0, "", 0);
-    optics.bind(1);
-    program.set_at("optics_table", 0, "", 1);
-    emptiness.distance.bind(2);
-    program.set_at("emptiness", 0, "", 2);
-    program.set_at("optics_from_voxel", 0, "", glm::vec2(optics_from_voxel(voxels, p.window)));
-    const double scale = double(depth_entries - 1) / depth_entries;
-    const double shift = 0.5 / depth_entries;
-    program.set_at("optics_visible", 0, "",
-                   glm::vec2(tables.lowest_visible * scale + shift, tables.highest_visible * scale + shift));
-    program.set_at("tau_scale", 0, "", float(p.tau_per_step));
-    program.set_at("cells_from_texture", 0, "", glm::vec3(emptiness.voxels) / float(emptiness.edge));
-    program.set_at("cells_inverse", 0, "", 1.0F / glm::vec3(emptiness.distance.size()));
-    program.set("cells", p.plan.grid.cells);
-    program.set("texture_low", glm::vec3(texture_from_cells[3]));
-    program.set("texture_per_cell",
-                glm::vec3(texture_from_cells[0][0], texture_from_cells[1][1], texture_from_cells[2][2]));
-    program.set("clip_low", glm::vec3(p.clip.low));
-    program.set("clip_high", glm::vec3(p.clip.high));
-    program.set("light", glm::vec3(to_light));
-    program.set("steps_from_texture", glm::mat3(glm::dmat3(p.world_from_texture) / p.step_world));
-    program.use();
-    glBindImageTexture(0, direct.name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, direct.format());
-    const glm::ivec3 cells = p.plan.grid.cells;
-    glDispatchCompute(GLuint(cells.x + 7) / 8, GLuint(cells.y + 3) / 4, GLuint(cells.z + 3) / 4);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-    return direct;
-}
 
 /// Copies one texture of each part into slabs along z. `node` is for the message.
 void stack_textures(const PassAccess& access, const std::vector<Handle<LightTextures>>& parts,
@@ -217,7 +95,7 @@ void LightPasses::update_medium(Medium& medium, const char* name, const scene::V
         cells_from_texture[k][k] = per_texture[k];
         cells_from_texture[3][k] = -low[k] * per_texture[k];
     }
-    const MediumParameters parameters{
+    const LightMediumParameters parameters{
         grid,
         samples,
         with_albedo,
@@ -227,8 +105,8 @@ void LightPasses::update_medium(Medium& medium, const char* name, const scene::V
         cells_from_texture};
     graph_.set_parameters(medium.pass, parameters);
     graph_.set_execute(medium.pass, [this, parameters, product = medium.medium](const PassAccess& access) {
-        make_medium(shaders_, access.read(volume_.voxels), access.read(volume_.emptiness),
-                    access.read(volume_.transfer_function), parameters, access.write(product));
+        make_light_medium(shaders_, access.read(volume_.voxels), access.read(volume_.emptiness),
+                          access.read(volume_.transfer_function), parameters, access.write(product));
         access.note(fmt::format("{} x {} x {} cells", parameters.grid.cells.x, parameters.grid.cells.y,
                                 parameters.grid.cells.z));
     });
@@ -263,13 +141,13 @@ Handle<LightTextures> LightPasses::update_sweep(const std::string& light_name, L
     parameters.plan = plan;
     parameters.transport = transport;
     parameters.settings.precision = settings.precision;
-    parameters.clip = *volume.clip;
     if (rays) {
-        parameters.world_from_texture = world_from_texture;
-        parameters.step_world = step_world;
-        parameters.tau_per_step =
-            volume.optics->density_scale / volume.transfer_function->reference_length * step_world;
-        parameters.window = scene::effective_window(volume);
+        parameters.rays = {*volume.clip,
+                           world_from_texture,
+                           step_world,
+                           volume.optics->density_scale / volume.transfer_function->reference_length * step_world,
+                           scene::effective_window(volume),
+                           settings.precision};
     } else {
         parameters.settings.slices_per_dispatch = int(settings.slices_per_dispatch);
     }
@@ -284,26 +162,26 @@ Handle<LightTextures> LightPasses::update_sweep(const std::string& light_name, L
     }
     const Sweep& sweep = found->second;
     graph_.set_parameters(sweep.pass, parameters);
-    graph_.set_execute(
-        sweep.pass, [this, parameters, light = sweep.light, handle = medium.medium](const PassAccess& access) {
-            LightTextures& out = access.write(light);
-            out.grid = parameters.plan.grid;
-            const glm::ivec3 cells = out.grid.cells;
-            if (parameters.transport == LightTransport::shadow_rays) {
-                out.direct = trace_shadow_rays(shaders_, access.read(volume_.voxels), access.read(volume_.emptiness),
-                                               access.read(volume_.transfer_function), parameters);
-                access.note(fmt::format("{} x {} x {} rays", cells.x, cells.y, cells.z));
-                return;
-            }
-            const LightMedium& grid_medium = access.read(handle);
-            SweptLight swept =
-                sweep_light(shaders_, grid_medium.extinction, grid_medium.albedo, parameters.plan, parameters.settings);
-            out.direct = std::move(swept.direct);
-            out.beside = std::move(swept.beside);
-            access.note(fmt::format("{} x {} x {} cells, {} {}, {} dispatches", cells.x, cells.y, cells.z,
-                                    parameters.plan.axes.size(), parameters.plan.from_point ? "half axes" : "axes",
-                                    swept.dispatches));
-        });
+    graph_.set_execute(sweep.pass, [this, parameters, light = sweep.light,
+                                    handle = medium.medium](const PassAccess& access) {
+        LightTextures& out = access.write(light);
+        out.grid = parameters.plan.grid;
+        const glm::ivec3 cells = out.grid.cells;
+        if (parameters.transport == LightTransport::shadow_rays) {
+            out.direct = trace_shadow_rays(shaders_, access.read(volume_.voxels), access.read(volume_.emptiness),
+                                           access.read(volume_.transfer_function), parameters.plan, parameters.rays);
+            access.note(fmt::format("{} x {} x {} rays", cells.x, cells.y, cells.z));
+            return;
+        }
+        const LightMedium& grid_medium = access.read(handle);
+        SweptLight swept =
+            sweep_light(shaders_, grid_medium.extinction, grid_medium.albedo, parameters.plan, parameters.settings);
+        out.direct = std::move(swept.direct);
+        out.beside = std::move(swept.beside);
+        access.note(fmt::format("{} x {} x {} cells, {} {}, {} dispatches", cells.x, cells.y, cells.z,
+                                parameters.plan.axes.size(), parameters.plan.from_point ? "half axes" : "axes",
+                                swept.dispatches));
+    });
     return sweep.light;
 }
 

@@ -4,16 +4,10 @@
 
 #include "gl/buffer.h"
 #include "gl/shader_library.h"
-#include "render/light_sweep_plan.h"
+#include "render/passes/light_medium.h"
 #include "render/passes/volume_passes.h"
 
 namespace bruma::render {
-
-/// What a volume does to light, on a light grid.
-struct LightMedium {
-    gl::Texture extinction;  ///< R32F: mean extinction of each cell times the grid's longest edge
-    gl::Texture albedo;      ///< RGBA16F, if anything scatters twice
-};
 
 /// Light of one lamp in each cell of a light grid, per unit of irradiance.
 struct LightTextures {

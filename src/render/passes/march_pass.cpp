@@ -63,17 +63,19 @@ MarchPass::MarchPass(FrameGraph& graph, gl::ShaderLibrary& shaders) : graph_(gra
 }
 
 void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights,
-                       Handle<OpaquePicture> opaque, const View& view, double step_world) {
+                       Handle<OpaquePicture> opaque, const View& view, double step_world, Handle<SkyPicture> sky) {
     graph_.set_source(camera_, **scene.camera, scene.camera->revision());
     graph_.set_source(background_, *scene.background, scene.background.revision());
     graph_.set_source(shader_revision_, 0, shaders_.revision());
 
     const double skipped = skipped_distance(**scene.camera, scene::world_bounds(scene));
-    Parameters parameters{view, *scene.rendering, step_world * view.step_scale, skipped, opaque, {}, {}, false};
+    Parameters parameters{view, *scene.rendering, step_world * view.step_scale, skipped, opaque, {}, {}, false, sky};
     const std::vector<std::string> shining = order_lights(scene);
     std::vector<int> reads{camera_.index, background_.index, shader_revision_.index};
-    if (opaque.index >= 0) {
-        reads.push_back(opaque.index);
+    for (const int behind : {opaque.index, sky.index}) {
+        if (behind >= 0) {
+            reads.push_back(behind);
+        }
     }
     for (const auto& [name, passes] : volumes) {
         const auto& volume = std::get<scene::Volume>(scene.nodes.at(name).content);
@@ -129,6 +131,9 @@ gl::Program& MarchPass::program(const PassAccess& access, const Parameters& para
     gl::Defines defines;
     if (parameters.opaque.index >= 0) {
         defines["OPAQUE"] = "";
+    }
+    if (parameters.sky.index >= 0) {
+        defines["SKY"] = "";
     }
     if (parameters.volumes.empty()) {
         return shaders_.get("background.frag", defines);
@@ -192,22 +197,13 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
     const VolumeTexture& voxels = access.read(input.voxels);
     const TableTextures& tables = access.read(input.tables);
     bind("voxels", voxels.texture);
-    const double width = input.window[1] - input.window[0];
-    glm::dvec2 u_from_voxel =
-        glm::dvec2(voxels.value_of_one - voxels.value_of_zero, voxels.value_of_zero - input.window[0]) / width;
-    // A window that is tiny beside the data is a step: it stays one, at its place, where floats end.
-    u_from_voxel *=
-        std::min(1.0, 1e30 / std::max(1e-300, std::max(std::abs(u_from_voxel.x), std::abs(u_from_voxel.y))));
+    const glm::dvec2 u_of_texel = u_from_voxel(voxels, input.window);
     if (parameters.settings.classification == scene::Classification::post) {
         bind("optics_table", tables.optics);
-        // u to the coordinate of the table, both ways of it affine.
-        const double scale = double(depth_entries - 1) / depth_entries;
-        const double shift = 0.5 / depth_entries;
-        program.set_at("optics_from_voxel", index, "",
-                       glm::vec2(u_from_voxel.x * scale, u_from_voxel.y * scale + shift));
-        program.set_at(
-            "optics_visible", index, "",
-            glm::vec2(tables.tables.lowest_visible * scale + shift, tables.tables.highest_visible * scale + shift));
+        program.set_at("optics_from_voxel", index, "", glm::vec2(table_from_voxel(u_of_texel, depth_entries)));
+        program.set_at("optics_visible", index, "",
+                       glm::vec2(table_coordinate(tables.tables.lowest_visible, depth_entries),
+                                 table_coordinate(tables.tables.highest_visible, depth_entries)));
     } else {
         bind("depth_table", tables.depth);
         program.set_at("u_visible", index, "", glm::vec2(tables.tables.lowest_visible, tables.tables.highest_visible));
@@ -216,7 +212,7 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
     if (parameters.lit) {
         bind("glow_table", tables.glow);
     }
-    program.set_at("u_from_voxel", index, "", glm::vec2(u_from_voxel));
+    program.set_at("u_from_voxel", index, "", glm::vec2(u_of_texel));
     program.set_at("tau_scale", index, "", float(input.tau_per_sigma_metre * parameters.step_world));
 
     const glm::dmat4 texture_from_world = glm::inverse(input.world_from_texture);
@@ -236,7 +232,7 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
         const EmptinessTexture& emptiness = access.read(input.emptiness);
         bind("emptiness", emptiness.distance);
         program.set_at("cells_from_texture", index, "", glm::vec3(emptiness.voxels) / float(emptiness.edge));
-        program.set_at("cells_inverse", index, "", 1.0F / glm::vec3(emptiness.distance.size()));
+        program.set_at("last_cell", index, "", glm::vec3(emptiness.distance.size() - 1));
     }
     if (parameters.lit) {
         set_surface(program, index, input.optics);
@@ -316,6 +312,10 @@ void MarchPass::draw(const PassAccess& access, const Parameters& parameters, boo
         opaque.distance.bind(unit);
         shader.set("opaque_distance", int(unit++));
         shader.set("steps_per_unit", float(opaque.unit_world / h));
+    }
+    if (parameters.sky.index >= 0) {
+        access.read(parameters.sky).color.bind(unit);
+        shader.set("sky_picture", int(unit++));
     }
     if (!parameters.volumes.empty()) {
         shader.set("orthographic", camera.projection == scene::Projection::orthographic ? 1 : 0);

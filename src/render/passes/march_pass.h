@@ -8,6 +8,7 @@
 #include "gl/shader_library.h"
 #include "render/passes/light_passes.h"
 #include "render/passes/opaque_pass.h"
+#include "render/passes/sky_passes.h"
 #include "render/passes/volume_passes.h"
 #include "render/path_goal.h"
 
@@ -42,9 +43,10 @@ class MarchPass {
     using Volumes = std::map<std::string, std::unique_ptr<VolumePasses>>;
     using Lights = std::map<std::string, std::unique_ptr<LightPasses>>;
     /// Hands the graph this frame's sources and parameters. `lights`: of the volumes that scatter.
-    /// `opaque`: the surfaces of all meshes; an empty handle where there are none.
+    /// `opaque`: the surfaces of all meshes; an empty handle where there are none. `sky`: these and what is behind
+    /// them, in place of the background; empty indoors.
     void update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights, Handle<OpaquePicture> opaque,
-                const View& view, double step_world);
+                const View& view, double step_world, Handle<SkyPicture> sky = {});
 
     Handle<Picture> picture;
     Handle<SampleCounts> counts;
@@ -76,6 +78,7 @@ class MarchPass {
         std::vector<VolumeInput> volumes;
         std::vector<scene::Light> lights;
         bool lit = false;  ///< lights matter
+        Handle<SkyPicture> sky;
         bool operator==(const Parameters&) const = default;
     };
 

@@ -119,14 +119,17 @@ void OpaquePass::remove() {
 }
 
 void OpaquePass::update(const scene::Scene& scene, const Meshes& meshes, const Translucents& translucents,
-                        Handle<ShadowMaps> shadows, glm::ivec2 pixels) {
+                        Handle<ShadowMaps> shadows, glm::ivec2 pixels, Handle<SkyLight> sky) {
     graph_.set_source(camera_, **scene.camera, scene.camera->revision());
     graph_.set_source(shader_revision_, 0, shaders_.revision());
     Parameters parameters{
-        pixels, skipped_distance(**scene.camera, scene::world_bounds(scene)), {}, {}, *scene.environment, shadows};
+        pixels, skipped_distance(**scene.camera, scene::world_bounds(scene)), {}, {}, *scene.environment, shadows, sky};
     std::vector<int> reads{camera_.index, shader_revision_.index};
     if (shadows.index >= 0) {
         reads.push_back(shadows.index);
+    }
+    if (sky.index >= 0) {
+        reads.push_back(sky.index);
     }
     for (const auto& [name, passes] : meshes) {
         const auto& mesh = std::get<scene::Mesh>(scene.nodes.at(name).content);
@@ -173,6 +176,9 @@ void OpaquePass::draw(const PassAccess& access, const Parameters& parameters) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
     glDepthMask(GL_TRUE);
+    if (parameters.sky.index >= 0) {
+        access.read(parameters.sky).buffer.bind_storage(sky_light_binding);
+    }
     out.unseen = 0;
     std::size_t triangles = 0;
     const bool any_translucent = std::any_of(parameters.meshes.begin(), parameters.meshes.end(),
@@ -277,6 +283,9 @@ gl::Defines OpaquePass::defines_of(const Parameters& parameters) {
     count_lights(defines, parameters.lights);
     if (parameters.shadows.index >= 0) {
         defines["SHADOWS"] = "";
+    }
+    if (parameters.sky.index >= 0) {
+        defines["SKY_LIGHT"] = "";
     }
     return defines;
 }

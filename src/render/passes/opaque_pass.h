@@ -8,6 +8,7 @@
 #include "render/passes/mesh_passes.h"
 #include "render/passes/shadow_pass.h"
 #include "render/passes/translucent_passes.h"
+#include "render/sky_light.h"
 #include "scene/scene.h"
 
 namespace bruma::render {
@@ -32,11 +33,10 @@ class OpaquePass {
 
     using Meshes = std::map<std::string, std::unique_ptr<MeshPasses>>;
     using Translucents = std::map<std::string, std::unique_ptr<TranslucentPasses>>;
-    /// Hands the graph this frame's sources and parameters; `meshes` are all
-    /// shown ones, `translucents` what is inside those that light enters.
-    /// `shadows`: an empty handle where nothing casts any.
+    /// Hands the graph this frame's sources and parameters; `meshes` are all shown ones, `translucents` what is inside
+    /// those that light enters; `shadows`: empty where nothing casts any; `sky`: empty indoors.
     void update(const scene::Scene& scene, const Meshes& meshes, const Translucents& translucents,
-                Handle<ShadowMaps> shadows, glm::ivec2 pixels);
+                Handle<ShadowMaps> shadows, glm::ivec2 pixels, Handle<SkyLight> sky = {});
     void remove();
 
     Handle<OpaquePicture> picture;
@@ -65,7 +65,8 @@ class OpaquePass {
         std::vector<MeshInput> meshes;
         std::vector<scene::Light> lights;
         scene::Environment environment;
-        Handle<ShadowMaps> shadows;  ///< index -1: none
+        Handle<ShadowMaps> shadows;
+        Handle<SkyLight> sky;
         bool operator==(const Parameters&) const = default;
     };
     struct Stand;  // where the meshes stand before the camera

@@ -209,15 +209,8 @@ void PathTracePass::bind_volume(const PassAccess& access, gl::Program& program, 
     bind("glow_table", tables.glow);
     bind("extinction_bounds", bounds.bounds);
 
-    const double width = input.window[1] - input.window[0];
-    glm::dvec2 u_from_voxel =
-        glm::dvec2(voxels.value_of_one - voxels.value_of_zero, voxels.value_of_zero - input.window[0]) / width;
-    // A window that is tiny beside the data is a step: it stays one, at its place, where floats end.
-    u_from_voxel *=
-        std::min(1.0, largest_factor / std::max({1e-300, std::abs(u_from_voxel.x), std::abs(u_from_voxel.y)}));
-    const double scale = double(scattering_entries - 1) / scattering_entries;
     program.set_at("table_from_voxel", index, "",
-                   glm::vec2(u_from_voxel.x * scale, u_from_voxel.y * scale + 0.5 / scattering_entries));
+                   glm::vec2(table_from_voxel(u_from_voxel(voxels, input.window), scattering_entries)));
     program.set_at("sigma_scale", index, "", float(std::min(input.sigma_per_metre * medium.unit, largest_factor)));
     program.set_at("cells_from_texture", index, "", bounds.cells_from_texture);
     program.set_at("clip_low", index, "", glm::vec3(input.clip.low));

@@ -1,0 +1,14 @@
+#pragma once
+#include "scene/light.h"
+#include "scene/sky.h"
+
+namespace bruma::scene {
+
+/// Of the sun's light on its way through the air to a point of this altitude, metres, with the share of the disc that
+/// stands above the point's horizon; `climb` is the sine of the sun's elevation there.
+glm::dvec3 sun_transmittance(const Atmosphere& atmosphere, double altitude_m, double climb);
+
+/// The sun as a lamp: its direction, and its irradiance behind the air at the world's origin.
+Light sun_lamp(const Sun& sun, const Atmosphere& atmosphere);
+
+}  // namespace bruma::scene
