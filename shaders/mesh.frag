@@ -3,6 +3,18 @@
 // from inside.
 #ifdef DEPTH_ONLY
 void main() {}
+#elif defined(THICKNESS)
+// How far the way through the body is: where it leaves less where it enters, of each of its pieces.
+in vec3 point_camera;
+layout(location = 0) out float way;  // mm
+uniform int orthographic;
+uniform float mm_per_unit;
+
+void main()
+{
+    float reached = mm_per_unit * (orthographic != 0 ? -point_camera.z : length(point_camera));
+    way = gl_FrontFacing ? -reached : reached;
+}
 #else
 #include "include/view_ray.glsl"
 #include "include/lights.glsl"
@@ -24,6 +36,14 @@ uniform SubsurfaceMedium medium;
 in vec3 position_body;  // mm
 in vec3 normal_body;
 uniform vec3 diffuse_reflectance;  // of the matter, for light from all sides
+uniform vec3 sigma_unscattered;    // 1/mm
+uniform int see_through;           // whether `thickness` holds anything
+uniform sampler2D thickness;
+#endif
+
+#ifdef SHADOWS
+#include "include/shadow.glsl"
+in vec3 position_shadow;
 #endif
 
 in vec3 point_camera;
@@ -54,6 +74,19 @@ float distance_on_ray(vec3 start, vec3 direction)
     // Seen edge-on, a plane says nothing any more; a hundred times what it is beside is more than honest planes ask.
     float most = 100.0 * length(beside);
     return along + clamp(slope, -most, most);
+}
+
+// Share of a lamp's light that no surface keeps away.
+float arriving(int lamp, vec3 normal)
+{
+#ifdef SHADOWS
+    vec3 facet = cross(dFdx(position_shadow), dFdy(position_shadow));
+    float squared = dot(facet, facet);
+    facet = squared > 1e-36 ? facet * inversesqrt(squared) : normal;
+    return light_arriving(lamp, position_shadow, dot(facet, normal) < 0.0 ? -facet : facet);
+#else
+    return 1.0;
+#endif
 }
 
 void add_light(Incident incident, vec3 normal, vec3 toward_eye, float facing_eye, inout vec3 reflected,
@@ -118,16 +151,25 @@ void main()
     vec3 reflected = around;
     vec3 mirrored = vec3(0.0);
     for (int n = 0; n < DIRECTIONAL_LIGHTS; ++n) {
-        add_light(incident_from_afar(n), normal, toward_eye, facing_eye, reflected, mirrored);
+        Incident incident = incident_from_afar(n);
+        incident.irradiance *= arriving(n, normal);
+        add_light(incident, normal, toward_eye, facing_eye, reflected, mirrored);
     }
     for (int n = DIRECTIONAL_LIGHTS; n < light_count; ++n) {
-        add_light(incident_from_point(n, ray_distance), normal, toward_eye, facing_eye, reflected, mirrored);
+        Incident incident = incident_from_point(n, ray_distance);
+        incident.irradiance *= arriving(n, normal);
+        add_light(incident, normal, toward_eye, facing_eye, reflected, mirrored);
     }
 #ifdef TRANSLUCENT
     float passing = fresnel_transmittance(facing_eye, medium.eta);
     vec3 picture = textured != 0 ? texture(diffuse_texture, coordinate).xyz : vec3(1.0);
     vec3 within = light_from_within(facing_eye) + passing * diffuse_reflectance * around;
     vec3 shine = specular * mirrored + (1.0 - passing) * around;
+    if (see_through != 0) {
+        // Not bent at the surface; what it is bent to looks the same where the surroundings do on all sides.
+        float chord = max(texelFetch(thickness, ivec2(gl_FragCoord.xy), 0).x, 0.0);
+        within += passing * passing * unscattered_transmittance(sigma_unscattered, chord) * around;
+    }
     radiance = vec4(picture * within + (highlight != 0 ? shine : vec3(0.0)), 1.0);
 #else
     vec3 albedo = diffuse * (textured != 0 ? texture(diffuse_texture, coordinate).xyz : vec3(1.0));

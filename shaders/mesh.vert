@@ -17,6 +17,11 @@ out vec3 position_body;
 out vec3 normal_body;
 #endif
 
+#ifdef SHADOWS
+uniform mat4 shadow_from_model;   // see include/shadow.glsl
+out vec3 position_shadow;
+#endif
+
 invariant gl_Position;            // the same for depth alone as for all
 out vec3 point_camera;
 out vec3 normal_world;
@@ -31,6 +36,9 @@ void main()
 #ifdef TRANSLUCENT
     position_body = body_from_model * position_model;
     normal_body = body_from_normal * normal_model;
+#endif
+#ifdef SHADOWS
+    position_shadow = (shadow_from_model * vec4(position_model, 1.0)).xyz;
 #endif
     float depth = point_camera.z * depth_of_z.x + depth_of_z.y;
     gl_Position = vec4(point_camera.xy / half_view, depth, orthographic != 0 ? 1.0 : -point_camera.z);

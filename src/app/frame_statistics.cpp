@@ -123,6 +123,7 @@ FrameStatistics measure_frame(gl::ShaderLibrary& shaders, const scene::Scene& sc
     });
     FrameStatistics statistics;
     statistics.passes = fast.renderer.render(fast.scene, view, true);
+    statistics.inside = fast.renderer.translucent_standing();
     statistics.samples = fast.renderer.count_samples(fast.scene, view);
     brute.renderer.render(brute.scene, view);
     statistics.brute_samples = brute.renderer.count_samples(brute.scene, view);
@@ -160,6 +161,16 @@ nlohmann::json to_json(const FrameStatistics& s) {
                           {"note", pass.note}});
     }
     nlohmann::json json = s.paths ? figures_of_paths(*s.paths) : figures_of_march(s);
+    if (s.inside) {
+        nlohmann::json noise;  // null below two passes
+        if (s.inside->noise < 1e29) {
+            noise = s.inside->noise;
+        }
+        json["translucent"] = {{"passes", s.inside->passes},
+                               {"noise", noise},
+                               {"settled", s.inside->settled},
+                               {"pixels_that_no_map_sees", s.inside->unseen_pixels}};
+    }
     json["driver"] = {{"vendor", driver.vendor}, {"renderer", driver.renderer}, {"version", driver.version}};
     json["passes"] = passes;
     return json;

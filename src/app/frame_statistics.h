@@ -22,8 +22,9 @@ struct FrameStatistics {
     render::SampleTotals samples, brute_samples;
     double frame_ms = 0.0, brute_ms = 0.0;  ///< medians of the march, wall time
     double step_mm = 0.0;
-    double termination_bound = 0.0;    ///< largest error that early termination can cause, radiance
-    std::optional<PathFigures> paths;  ///< of a path traced frame, which has no march
+    double termination_bound = 0.0;                     ///< largest error that early termination can cause, radiance
+    std::optional<PathFigures> paths;                   ///< of a path traced frame, which has no march
+    std::optional<render::TranslucentStanding> inside;  ///< of translucent meshes
 };
 /// Draws the frame `repeats` times with the scene's settings and without skipping and early termination, alternating
 /// between two renderers, so that neither loses what it keeps. A path traced frame is drawn once.

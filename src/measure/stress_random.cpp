@@ -42,6 +42,7 @@ class Draw {
 
     void operator()(const scene::Field&, bool& value) { value = chance(0.5); }
     void operator()(const scene::Field& field, double& value) { value = in(field.min, field.max); }
+    void operator()(const scene::Field&, std::int64_t&) {}  // sizes of maps, which no volume uses
     void operator()(const scene::Field& field, glm::dvec3& value) {
         for (int k = 0; k < 3; ++k) {
             value[k] = in(field.min, std::min(field.max, 1e6));

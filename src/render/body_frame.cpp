@@ -31,15 +31,8 @@ glm::dmat3 rotation_of(const glm::dmat3& linear) {
     return x;
 }
 
-template <class Visit>
-void for_each_point(const scene::TriangleMesh& mesh, const glm::dmat3& body_from_model, Visit&& visit) {
-    const glm::dvec3 middle = 0.5 * (mesh.low + mesh.high);
-    for (const glm::vec3& p : mesh.positions) {
-        visit(body_from_model * (glm::dvec3(p) - middle));
-    }
-}
-
-/// Widens the view by `spare_texels` on each side and says how large a texel then is.
+/// Widens the view by `spare_texels` on each side and says how large a texel
+/// then is.
 void spare(MapCamera& camera, int size) {
     const glm::dvec2 extent = glm::max(camera.high - camera.low, glm::dvec2(1e-6 * (camera.depth + 1e-30)));
     const glm::dvec2 margin = extent * (spare_texels / std::max(1.0, size - 2.0 * spare_texels));
@@ -112,15 +105,14 @@ MapCamera looking_against(glm::dvec3 back) {
     return camera;
 }
 
-MapCamera parallel_camera(const scene::TriangleMesh& mesh, const glm::dmat3& body_from_model, glm::dvec3 back,
-                          int size) {
+MapCamera parallel_camera(std::span<const glm::dvec3> points, glm::dvec3 back, int size) {
     MapCamera camera = looking_against(back);
     glm::dvec3 low(1e300), high(-1e300);
-    for_each_point(mesh, body_from_model, [&](glm::dvec3 p) {
+    for (const glm::dvec3& p : points) {
         const glm::dvec3 q(glm::dot(camera.right, p), glm::dot(camera.up, p), -glm::dot(camera.back, p));
         low = glm::min(low, q);
         high = glm::max(high, q);
-    });
+    }
     camera.low = low;
     camera.high = high;
     const double slack = 1e-3 * glm::length(high - low) + 1e-30;
@@ -130,19 +122,18 @@ MapCamera parallel_camera(const scene::TriangleMesh& mesh, const glm::dmat3& bod
     return camera;
 }
 
-MapCamera perspective_camera(const scene::TriangleMesh& mesh, const glm::dmat3& body_from_model, glm::dvec3 eye,
-                             int size) {
+MapCamera perspective_camera(std::span<const glm::dvec3> points, glm::dvec3 eye, int size) {
     MapCamera camera = looking_against(eye);
     camera.perspective = true;
     camera.eye = eye;
     glm::dvec3 low(1e300), high(-1e300);
-    for_each_point(mesh, body_from_model, [&](glm::dvec3 p) {
+    for (const glm::dvec3& p : points) {
         const glm::dvec3 from_eye = p - eye;
         const double depth = -glm::dot(camera.back, from_eye);
         const glm::dvec3 q(glm::dot(camera.right, from_eye) / depth, glm::dot(camera.up, from_eye) / depth, depth);
         low = glm::min(low, q);
         high = glm::max(high, q);
-    });
+    }
     camera.low = low;
     camera.high = high;
     camera.near_depth = 0.999 * low.z;
@@ -163,9 +154,21 @@ MapCamera cube_camera(glm::dvec3 eye, int face, double bounding_radius, int size
     return camera;
 }
 
-double bounding_radius(const scene::TriangleMesh& mesh, const glm::dmat3& body_from_model) {
+std::vector<glm::dvec3> body_points(const scene::TriangleMesh& mesh, const glm::dmat3& body_from_model) {
+    const glm::dvec3 middle = 0.5 * (mesh.low + mesh.high);
+    std::vector<glm::dvec3> points;
+    points.reserve(mesh.positions.size());
+    for (const glm::vec3& p : mesh.positions) {
+        points.push_back(body_from_model * (glm::dvec3(p) - middle));
+    }
+    return points;
+}
+
+double bounding_radius(std::span<const glm::dvec3> points) {
     double squared = 0.0;
-    for_each_point(mesh, body_from_model, [&](glm::dvec3 p) { squared = std::max(squared, glm::dot(p, p)); });
+    for (const glm::dvec3& p : points) {
+        squared = std::max(squared, glm::dot(p, p));
+    }
     return std::max(std::sqrt(squared), 1e-30);
 }
 

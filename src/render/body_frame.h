@@ -1,6 +1,8 @@
 #pragma once
-#include <array>
+#include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
+#include <vector>
 
 #include "scene/light.h"
 #include "scene/mesh_data.h"
@@ -43,19 +45,21 @@ struct MapCamera {
 
 /// Right and up for a direction.
 MapCamera looking_against(glm::dvec3 back);
-/// Parallel rays against `back`, as close around the body as may be, with a texel or two to spare.
-MapCamera parallel_camera(const scene::TriangleMesh& mesh, const glm::dmat3& body_from_model, glm::dvec3 back,
-                          int size);
-/// The same from a point outside the sphere around the body.
-MapCamera perspective_camera(const scene::TriangleMesh& mesh, const glm::dmat3& body_from_model, glm::dvec3 eye,
-                             int size);
+/// Corners of a mesh in its body frame, mm.
+std::vector<glm::dvec3> body_points(const scene::TriangleMesh& mesh, const glm::dmat3& body_from_model);
+/// Radius of the sphere around the origin that holds all points.
+double bounding_radius(std::span<const glm::dvec3> points);
+
+/// Parallel rays against `back`, as close around the points as may be, with a
+/// texel or two to spare.
+MapCamera parallel_camera(std::span<const glm::dvec3> points, glm::dvec3 back, int size);
+/// The same from a point outside the sphere around them, looking at the origin.
+MapCamera perspective_camera(std::span<const glm::dvec3> points, glm::dvec3 eye, int size);
 /// One of six views around a point: +x, -x, +y, -y, +z, -z.
 MapCamera cube_camera(glm::dvec3 eye, int face, double bounding_radius, int size);
 
-/// Radius of the sphere around the middle that holds the body, mm.
-double bounding_radius(const scene::TriangleMesh& mesh, const glm::dmat3& body_from_model);
-
-/// Direction n = 1, 2, ... of a well spread sequence on the sphere: Halton's points, equal areas.
+/// Direction n = 1, 2, ... of a well spread sequence on the sphere: Halton's
+/// points, equal areas.
 glm::dvec3 halton_direction(unsigned n);
 /// Van der Corput's radical inverse.
 double radical_inverse(std::uint64_t n, unsigned base);

@@ -23,6 +23,14 @@ Image read_top_down(const gl::Texture& texture) {
     return image;
 }
 
+/// Whether a lamp throws shadows that a camera can see.
+bool casts_shadows(const scene::Scene& scene) {
+    return scene.rendering->shadow_map_size > 0 &&
+           std::any_of(scene.lights.begin(), scene.lights.end(), [](const auto& light) {
+               return scene::shines(*light.second) && light.second->kind != scene::LightKind::headlight;
+           });
+}
+
 bool is_translucent(const scene::Scene& scene, const std::string& name) {
     return std::get<scene::Mesh>(scene.nodes.at(name).content).surface->shading == scene::MeshShading::translucent;
 }
@@ -110,6 +118,10 @@ void Renderer::update_meshes(const scene::Scene& scene, const std::vector<std::s
         opaque_->remove();
         opaque_.reset();
     }
+    if (shadows_ && (shown.empty() || !casts_shadows(scene))) {
+        shadows_->remove();
+        shadows_.reset();
+    }
     const auto is_shown_translucent = [&](const std::string& name) {
         return std::find(shown.begin(), shown.end(), name) != shown.end() && is_translucent(scene, name);
     };
@@ -134,15 +146,23 @@ void Renderer::update_meshes(const scene::Scene& scene, const std::vector<std::s
         }
         passes->update(std::get<scene::Mesh>(scene.nodes.at(name).content));
     }
-    update_translucent(scene, shown, view);
-    opaque_->update(scene, meshes_, translucents_, view.pixels, sky_ ? sky_->light : Handle<SkyLight>{});
-}
-
-void Renderer::update_translucent(const scene::Scene& scene, const std::vector<std::string>& shown, const View& view) {
     std::vector<scene::Light> lights;
     for (const std::string& name : order_lights(scene)) {
         lights.push_back(*scene.lights.at(name));
     }
+    update_translucent(scene, shown, lights, view);
+    if (casts_shadows(scene)) {
+        if (!shadows_) {
+            shadows_ = std::make_unique<ShadowPass>(graph_, shaders_);
+        }
+        shadows_->update(scene, meshes_, lights);
+    }
+    opaque_->update(scene, meshes_, translucents_, shadows_ ? shadows_->maps : Handle<ShadowMaps>{}, view.pixels,
+                    sky_ ? sky_->light : Handle<SkyLight>{});
+}
+
+void Renderer::update_translucent(const scene::Scene& scene, const std::vector<std::string>& shown,
+                                  const std::vector<scene::Light>& lights, const View& view) {
     const glm::dvec3 back = scene::camera_frame(**scene.camera).back_world;
     for (const std::string& name : shown) {
         if (is_translucent(scene, name)) {
@@ -150,8 +170,14 @@ void Renderer::update_translucent(const scene::Scene& scene, const std::vector<s
             if (!passes) {
                 passes = std::make_unique<TranslucentPasses>(graph_, shaders_, name, *meshes_.at(name));
             }
+            std::vector<TranslucentPasses::Occluder> occluders;
+            for (const auto& [other, mesh] : meshes_) {
+                if (other != name) {
+                    occluders.push_back({mesh->triangles, mesh->buffers, scene::world_from_model(scene, other)});
+                }
+            }
             passes->update(std::get<scene::Mesh>(scene.nodes.at(name).content), scene::world_from_model(scene, name),
-                           lights, back, view.paths);
+                           occluders, lights, back, view.paths);
         }
     }
 }

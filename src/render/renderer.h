@@ -71,7 +71,8 @@ class Renderer {
     /// All lamps, the sun of an outdoor scene too, are among the scene's lights.
     void update_passes(const scene::Scene& scene, const View& view);
     void update_meshes(const scene::Scene& scene, const std::vector<std::string>& shown, const View& view);
-    void update_translucent(const scene::Scene& scene, const std::vector<std::string>& shown, const View& view);
+    void update_translucent(const scene::Scene& scene, const std::vector<std::string>& shown,
+                            const std::vector<scene::Light>& lights, const View& view);
     /// The pictures of all shown layers of clouds.
     std::vector<Handle<CloudPicture>> update_clouds(const scene::Scene& scene, const View& view);
     void update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world);
@@ -85,6 +86,7 @@ class Renderer {
     MarchPass::Volumes volumes_;
     MarchPass::Lights lights_;  ///< of the volumes that scatter
     OpaquePass::Meshes meshes_;
+    std::unique_ptr<ShadowPass> shadows_;    ///< none while no lamp casts any
     std::unique_ptr<SkyPasses> sky_;         ///< none indoors
     OpaquePass::Translucents translucents_;  ///< of the meshes that light enters
     std::unique_ptr<OpaquePass> opaque_;     ///< none while no mesh is shown

@@ -7,6 +7,7 @@
 #include "base/nearest_name.h"
 #include "scene/builtin.h"
 #include "scene/builtin_clouds.h"
+#include "scene/builtin_mesh_scenes.h"
 #include "scene/mesh_builtin.h"
 
 namespace bruma::scene {
@@ -194,6 +195,7 @@ constexpr std::array builtin_scenes{
     BuiltinScene{"knot-study", knots},
     BuiltinScene{"scattering", scattering},
     BuiltinScene{"scattering-blobs", scattering_blobs},
+    BuiltinScene{"translucent", translucent_scene},
     BuiltinScene{"sky-noon", sky_noon},
     BuiltinScene{"sky-sunset", sky_sunset},
     BuiltinScene{"sky-twilight", sky_twilight},

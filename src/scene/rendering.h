@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstdint>
 #include <glm/glm.hpp>
 
 #include "scene/field.h"
@@ -30,6 +31,7 @@ struct RenderSettings {
     bool early_termination = true;
     double stop_transmittance = 1.0 / 1024.0;  ///< rays end below this; error at most this times the largest radiance
     Jitter jitter = Jitter::off;
+    std::int64_t shadow_map_size = 1024;  ///< texels along an edge of what each lamp sees of all meshes; 0: no shadows
     bool operator==(const RenderSettings&) const = default;
 };
 
@@ -64,6 +66,13 @@ void visit_fields(Self& settings, Visitor&& visit) {
           settings.stop_transmittance);
     visit(Field{.name = "jitter", .sentence = "shift each ray's first segment to trade bands for grain"},
           settings.jitter);
+    visit(Field{.name = "shadow_map_size",
+                .sentence = "texels along an edge of what each lamp sees of all meshes; 0: meshes cast no shadows",
+                .min = 0,
+                .max = 8192,
+                .panel_min = 0,
+                .panel_max = 4096},
+          settings.shadow_map_size);
 }
 
 /// What is seen where nothing is: vertical blend between two colours, linear Rec.709.

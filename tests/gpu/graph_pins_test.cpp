@@ -180,11 +180,11 @@ TEST_F(GraphPins, AMeshAddsOnePassThatTheCameraReruns) {
     scene.nodes.at("quad").transform.edit([](scene::Transform& t) { t.translation.x = 0.003; });
     EXPECT_EQ(reruns(), (Names{"march", "opaque"}));
     scene.lights["key"] = scene::Light{};
-    EXPECT_EQ(reruns(), (Names{"march", "opaque"}));
+    EXPECT_EQ(reruns(), (Names{"march", "opaque", "shadow maps"}));
     edit_transfer_function();
     EXPECT_EQ(reruns(), (Names{"march", "volume: occupancy", "volume: tables"})) << "meshes stand as they stood";
     mesh.triangles.set(quad_mesh(0.02F));
-    EXPECT_EQ(reruns(), (Names{"march", "opaque", "quad: upload"}));
+    EXPECT_EQ(reruns(), (Names{"march", "opaque", "quad: upload", "shadow maps"}));
     scene.nodes.at("quad").visible = false;
     EXPECT_EQ(reruns(), (Names{"march"}));
     EXPECT_EQ(reason("opaque"), "not in the report");

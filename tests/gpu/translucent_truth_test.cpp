@@ -213,6 +213,26 @@ TEST_F(Translucent, OnePassAloneHasNoBias) {
     }
 }
 
+TEST_F(Translucent, WhatStandsBehindWeakMatterShinesThrough) {
+    scene::SubsurfaceMedium tea;
+    tea.absorption = {0.02, 0.1, 0.3};
+    tea.reduced_scattering = glm::dvec3(1e-6);
+    tea.refraction_index = 1.3;
+    scene::Scene scene;
+    scene::Mesh& ball = add_translucent(scene, "ball", builtin_triangles("mesh-sphere"), tea);
+    scene.environment = scene::Environment{.radiance = {1.0, 2.0, 3.0}};
+    scene.camera = parallel_camera_around(scene, {0.3, 0.2, 1.0});
+    const Image image = draw_after(scene, {65, 65}, 1);
+    ball.subsurface.edit([](scene::SubsurfaceSettings& settings) { settings.unscattered = false; });
+    const Image without = draw_after(scene, {65, 65}, 1);
+    const double passing = reference::fresnel_transmittance(1.0, 1.3);
+    for (int c = 0; c < 3; ++c) {
+        // Through the middle of the ball, 20 mm long; facets are off by 5e-4 of its radius.
+        const double expected = (c + 1.0) * passing * passing * std::exp(-20.0 * tea.absorption[c]);
+        EXPECT_NEAR(image.pixel(32, 32)[c] - without.pixel(32, 32)[c], expected, 5e-3 * expected) << c;
+    }
+}
+
 TEST_F(Translucent, RadianceDependsOnCoefficientTimesLengthAlone) {
     Image images[2];
     for (int n = 0; n < 2; ++n) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/panels/fields_panel.h"
+#include "app/panels/mesh_inside.h"
 #include "app/panels/theme.h"
 #include "app/panels/volume_lighting.h"
 #include "base/error.h"
@@ -186,6 +187,15 @@ void show_selected_node(PanelContext& context) {
     }
     if (auto* mesh = std::get_if<scene::Mesh>(&node.content)) {
         edit_tracked(mesh->surface);
+        if (mesh->surface->shading == scene::MeshShading::translucent && *mesh->triangles) {
+            ImGui::PushStyleColor(ImGuiCol_Text, theme::faint);
+            ImGui::TextWrapped("%s", light_inside_words(context.scene, context.selected, *mesh).c_str());
+            ImGui::PopStyleColor();
+            if (ImGui::TreeNodeEx("Light inside", ImGuiTreeNodeFlags_DefaultOpen)) {
+                edit_tracked(mesh->subsurface);
+                ImGui::TreePop();
+            }
+        }
     }
     if (ImGui::TreeNode("Place")) {
         edit_tracked(node.transform);

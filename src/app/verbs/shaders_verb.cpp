@@ -162,13 +162,15 @@ Variants variants_of(const std::string& file) {
     }
     if (file == "mesh.frag") {
         const gl::Defines lights{{"DIRECTIONAL_LIGHTS", "1"}, {"POINT_LIGHTS", "1"}};
-        Variants variants{{{"DEPTH_ONLY", ""}}, lights};
+        Variants variants{{{"DEPTH_ONLY", ""}}, {{"THICKNESS", ""}}, lights};
         variants.push_back(lights);
         variants.back()["SKY_LIGHT"] = "";
         for (gl::Defines inside :
              Variants{{}, {{"SKY_LIGHT", ""}}, {{"FROM_POINTS", ""}}, {{"FROM_POINTS", ""}, {"CUBE_LAMPS", ""}}}) {
             inside.insert(lights.begin(), lights.end());
             inside["TRANSLUCENT"] = "";
+            variants.push_back(inside);
+            inside["SHADOWS"] = "";
             variants.push_back(inside);
         }
         return variants;

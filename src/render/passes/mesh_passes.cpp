@@ -87,6 +87,15 @@ gl::Texture upload(const scene::MeshTexture& picture) {
 
 }  // namespace
 
+void draw_all(const MeshBuffers& buffers) {
+    std::size_t indices = 0;
+    for (const MeshBuffers::Part& part : buffers.parts) {
+        indices += part.count;
+    }
+    glBindVertexArray(buffers.array.name());
+    glDrawElements(GL_TRIANGLES, GLsizei(indices), GL_UNSIGNED_INT, nullptr);
+}
+
 MeshPasses::MeshPasses(FrameGraph& graph, const std::string& name) : graph_(graph) {
     triangles = graph.add_source<Triangles>(name + ": triangles");
     buffers = graph.add_product<MeshBuffers>(name + ": buffers");

@@ -23,6 +23,9 @@ struct MeshBuffers {
     std::vector<Part> parts;
 };
 
+/// Draws all triangles, whatever their material.
+void draw_all(const MeshBuffers& buffers);
+
 /// The pictures laid over a mesh, each once.
 struct MeshTextures {
     std::map<const scene::MeshTexture*, gl::Texture> of;

@@ -63,15 +63,6 @@ int highlight_of(scene::MeshShading shading, bool on_translucent) {
 
 constexpr int direct_points = 64;  ///< per lamp and pixel that no map sees
 
-gl::Defines light_defines(const std::vector<scene::Light>& lights, bool outdoors) {
-    gl::Defines defines;
-    count_lights(defines, lights);
-    if (outdoors) {
-        defines["SKY_LIGHT"] = "";
-    }
-    return defines;
-}
-
 }  // namespace
 
 /// Lengths are counted in a power of two of metres about as long as the meshes, so that scenes of any size give numbers
@@ -128,12 +119,15 @@ void OpaquePass::remove() {
 }
 
 void OpaquePass::update(const scene::Scene& scene, const Meshes& meshes, const Translucents& translucents,
-                        glm::ivec2 pixels, Handle<SkyLight> sky) {
+                        Handle<ShadowMaps> shadows, glm::ivec2 pixels, Handle<SkyLight> sky) {
     graph_.set_source(camera_, **scene.camera, scene.camera->revision());
     graph_.set_source(shader_revision_, 0, shaders_.revision());
     Parameters parameters{
-        pixels, skipped_distance(**scene.camera, scene::world_bounds(scene)), {}, {}, *scene.environment, sky};
+        pixels, skipped_distance(**scene.camera, scene::world_bounds(scene)), {}, {}, *scene.environment, shadows, sky};
     std::vector<int> reads{camera_.index, shader_revision_.index};
+    if (shadows.index >= 0) {
+        reads.push_back(shadows.index);
+    }
     if (sky.index >= 0) {
         reads.push_back(sky.index);
     }
@@ -193,19 +187,19 @@ void OpaquePass::draw(const PassAccess& access, const Parameters& parameters) {
         // Depth first: light from inside is dear, and what is hidden shall not count as seen.
         glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         for (const MeshInput& input : parameters.meshes) {
-            draw_mesh(access, prepared_program(parameters, stand, {{"DEPTH_ONLY", ""}}), input, stand);
+            draw_mesh(access, prepared_program(parameters, stand, {{"DEPTH_ONLY", ""}}), input, stand, {});
         }
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         glDepthFunc(GL_GEQUAL);
     }
-    const gl::Defines opaque = light_defines(parameters.lights, parameters.sky.index >= 0);
+    const gl::Defines opaque = defines_of(parameters);
     for (const MeshInput& input : parameters.meshes) {
         triangles += access.read(input.triangles)->triangles.size();
         if (input.inside.shown) {
             out.unseen += draw_translucent(access, parameters, stand, input);
             continue;
         }
-        draw_mesh(access, prepared_program(parameters, stand, opaque), input, stand);
+        draw_mesh(access, prepared_program(parameters, stand, opaque), input, stand, parameters.shadows);
     }
     glDisable(GL_DEPTH_TEST);
     std::string note =
@@ -221,10 +215,11 @@ std::uint32_t OpaquePass::draw_translucent(const PassAccess& access, const Param
                                            const MeshInput& input) {
     // From the maps first, which leaves pixels open that none of them sees; light from points, which is dear, for
     // these.
+    const bool see_through = draw_thickness(access, parameters, stand, input);
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_EQUAL, 0, 1);
     glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-    gl::Defines defines = light_defines(parameters.lights, parameters.sky.index >= 0);
+    gl::Defines defines = defines_of(parameters);
     defines["TRANSLUCENT"] = "";
     const gl::Query unseen("unseen pixels", GL_SAMPLES_PASSED);
     for (const bool from_points : {false, true}) {
@@ -236,13 +231,63 @@ std::uint32_t OpaquePass::draw_translucent(const PassAccess& access, const Param
         gl::Program& program = prepared_program(parameters, stand, defines);
         gl::Buffer lamps;
         set_inside(access, program, input, lamps);
-        draw_mesh(access, program, input, stand);
+        program.set("see_through", see_through ? 1 : 0);
+        program.set("sigma_unscattered", glm::vec3(input.inside.shown->constants.sigma_unscattered));
+        program.set("thickness", 6);
+        if (see_through) {
+            access.write(picture).thickness.bind(6);
+        }
+        draw_mesh(access, program, input, stand, parameters.shadows);
     }
     const std::uint32_t count = unseen.end();
     glDisable(GL_STENCIL_TEST);
     const GLint none = 0;
     glClearNamedFramebufferiv(access.write(picture).framebuffer.name(), GL_STENCIL, 0, &none);  // for the next mesh
     return count;
+}
+
+bool OpaquePass::draw_thickness(const PassAccess& access, const Parameters& parameters, const Stand& stand,
+                                const MeshInput& input) {
+    const TranslucentPasses::Shown& shown = *input.inside.shown;
+    const glm::dvec3 sigma = shown.constants.sigma_unscattered;
+    const double radius = access.read(shown.light).bounding_radius;
+    // Where less than e^-4 is left after half the body, what is scattered outshines the rest.
+    const bool any_comes_through = std::min({sigma.x, sigma.y, sigma.z}) * radius < 4.0;
+    if (!shown.settings.unscattered || parameters.environment.radiance == glm::dvec3(0.0) || !any_comes_through ||
+        !access.read(input.triangles)->closed) {
+        return false;
+    }
+    OpaquePicture& out = access.write(picture);
+    if (!out.thickness || out.thickness.size() != out.radiance.size()) {
+        out.thickness_framebuffer = {};
+        out.thickness = gl::Texture::make_2d("thickness", GL_R32F, glm::ivec2(out.radiance.size()));
+        out.thickness_framebuffer = gl::Framebuffer("thickness", {&out.thickness});
+    }
+    const float nothing[4] = {0.0F, 0.0F, 0.0F, 0.0F};
+    glClearNamedFramebufferfv(out.thickness_framebuffer.name(), GL_COLOR, 0, nothing);
+    out.thickness_framebuffer.bind();
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    gl::Program& program = prepared_program(parameters, stand, {{"THICKNESS", ""}});
+    program.set("mm_per_unit", float(1e3 * stand.unit_world));
+    draw_mesh(access, program, input, stand, {});
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    out.framebuffer.bind();
+    return true;
+}
+
+gl::Defines OpaquePass::defines_of(const Parameters& parameters) {
+    gl::Defines defines;
+    count_lights(defines, parameters.lights);
+    if (parameters.shadows.index >= 0) {
+        defines["SHADOWS"] = "";
+    }
+    if (parameters.sky.index >= 0) {
+        defines["SKY_LIGHT"] = "";
+    }
+    return defines;
 }
 
 gl::Program& OpaquePass::prepared_program(const Parameters& parameters, const Stand& stand,
@@ -278,7 +323,8 @@ void OpaquePass::set_inside(const PassAccess& access, gl::Program& program, cons
                                                                   std::abs(normals[2][2]), 1e-300})));
 }
 
-void OpaquePass::draw_mesh(const PassAccess& access, gl::Program& program, const MeshInput& input, const Stand& stand) {
+void OpaquePass::draw_mesh(const PassAccess& access, gl::Program& program, const MeshInput& input, const Stand& stand,
+                           Handle<ShadowMaps> shadows) {
     const MeshBuffers& buffers = access.read(input.buffers);
     const scene::TriangleMesh& mesh = *access.read(input.triangles);
     const glm::dmat3 linear(input.world_from_model);
@@ -299,6 +345,14 @@ void OpaquePass::draw_mesh(const PassAccess& access, gl::Program& program, const
     program.set("world_from_normal", glm::mat3(world_from_normal / largest));
     glFrontFace(glm::determinant(linear) < 0.0 ? GL_CW : GL_CCW);
     program.set("highlight", input.highlight);
+    if (shadows.index >= 0) {
+        const ShadowMaps& maps = access.read(shadows);
+        program.set("shadow_from_model",
+                    glm::mat4(maps.shadow_from_model(input.world_from_model, buffers.middle_model)));
+        maps.lamps.bind_storage(6);
+        maps.depth.bind(5);
+        program.set("shadow_depth", 5);
+    }
     program.set("diffuse_texture", 0);
     glBindVertexArray(buffers.array.name());
     for (const MeshBuffers::Part& part : buffers.parts) {

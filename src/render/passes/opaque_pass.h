@@ -6,6 +6,7 @@
 
 #include "gl/shader_library.h"
 #include "render/passes/mesh_passes.h"
+#include "render/passes/shadow_pass.h"
 #include "render/passes/translucent_passes.h"
 #include "render/sky_light.h"
 #include "scene/scene.h"
@@ -18,6 +19,8 @@ struct OpaquePicture {
     gl::Texture distance;  ///< along the pixel's ray, from the eye or the plane through it, in `unit_world`; 1e30: none
     gl::Texture depth;
     gl::Framebuffer framebuffer;
+    gl::Texture thickness;  ///< R32F, mm: of a body that is seen through, while it is drawn
+    gl::Framebuffer thickness_framebuffer;
     double unit_world = 1.0;  ///< metres
     std::uint32_t unseen =
         0;  ///< pixels of translucent surfaces that no map sees; their light is worked out one by one
@@ -31,9 +34,9 @@ class OpaquePass {
     using Meshes = std::map<std::string, std::unique_ptr<MeshPasses>>;
     using Translucents = std::map<std::string, std::unique_ptr<TranslucentPasses>>;
     /// Hands the graph this frame's sources and parameters; `meshes` are all shown ones, `translucents` what is inside
-    /// those that light enters; `sky`: empty indoors.
-    void update(const scene::Scene& scene, const Meshes& meshes, const Translucents& translucents, glm::ivec2 pixels,
-                Handle<SkyLight> sky = {});
+    /// those that light enters; `shadows`: empty where nothing casts any; `sky`: empty indoors.
+    void update(const scene::Scene& scene, const Meshes& meshes, const Translucents& translucents,
+                Handle<ShadowMaps> shadows, glm::ivec2 pixels, Handle<SkyLight> sky = {});
     void remove();
 
     Handle<OpaquePicture> picture;
@@ -62,16 +65,22 @@ class OpaquePass {
         std::vector<MeshInput> meshes;
         std::vector<scene::Light> lights;
         scene::Environment environment;
+        Handle<ShadowMaps> shadows;
         Handle<SkyLight> sky;
         bool operator==(const Parameters&) const = default;
     };
     struct Stand;  // where the meshes stand before the camera
 
     void draw(const PassAccess& access, const Parameters& parameters);
-    static void draw_mesh(const PassAccess& access, gl::Program& program, const MeshInput& input, const Stand& stand);
+    static void draw_mesh(const PassAccess& access, gl::Program& program, const MeshInput& input, const Stand& stand,
+                          Handle<ShadowMaps> shadows);
+    static gl::Defines defines_of(const Parameters& parameters);
     /// How many pixels no map saw.
     std::uint32_t draw_translucent(const PassAccess& access, const Parameters& parameters, const Stand& stand,
                                    const MeshInput& input);
+    /// Whether light from behind comes through a body; then `thickness` is drawn.
+    bool draw_thickness(const PassAccess& access, const Parameters& parameters, const Stand& stand,
+                        const MeshInput& input);
     /// Textures and constants of what is inside; the buffer must live until the mesh is drawn.
     static void set_inside(const PassAccess& access, gl::Program& program, const MeshInput& input, gl::Buffer& lamps);
     gl::Program& prepared_program(const Parameters& parameters, const Stand& stand, const gl::Defines& defines);

@@ -16,7 +16,7 @@ std::uint32_t groups_of(std::uint32_t texels) {
     return (texels + 63) / 64;
 }
 
-constexpr double mm2_per_m2 = 1e6;
+constexpr double mm_per_m = 1e3, mm2_per_m2 = 1e6;
 
 /// Layouts of include/subsurface_entry.glsl and include/exit_maps.glsl.
 struct FaceData {
@@ -30,15 +30,16 @@ struct ExitCameraData {
     glm::vec4 right, up, back, size;
 };
 
-/// The views in which a lamp sees the whole body: one where it stands well outside, six around it where not.
-std::vector<MapCamera> cameras_of(const BodyLamp& lamp, const scene::TriangleMesh& mesh, const glm::dmat3& body,
-                                  double radius, int size) {
+/// The views in which a lamp sees the whole body: one where it stands well
+/// outside, six around it where not.
+std::vector<MapCamera> cameras_of(const BodyLamp& lamp, const std::vector<glm::dvec3>& points, double radius,
+                                  int size) {
     if (!lamp.has_position) {
-        return {parallel_camera(mesh, body, lamp.toward, size)};
+        return {parallel_camera(points, lamp.toward, size)};
     }
     // Nearer, the outer texels of one view would be too large beside those in the middle.
     if (glm::length(lamp.position) > 1.25 * radius) {
-        return {perspective_camera(mesh, body, lamp.position, size)};
+        return {perspective_camera(points, lamp.position, size)};
     }
     std::vector<MapCamera> cube;
     for (int face = 0; face < 6; ++face) {
@@ -66,7 +67,7 @@ void start_drawing() {
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_CULL_FACE);
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
+    glDepthFunc(GL_LEQUAL);  // of two surfaces in one place both are lit
     glDepthMask(GL_TRUE);
 }
 
@@ -110,8 +111,8 @@ TranslucentPasses::~TranslucentPasses() {
 }
 
 void TranslucentPasses::update(const scene::Mesh& mesh, const glm::dmat4& world_from_model,
-                               const std::vector<scene::Light>& lights, glm::dvec3 camera_back_world,
-                               const PathGoal& goal) {
+                               const std::vector<Occluder>& occluders, const std::vector<scene::Light>& lights,
+                               glm::dvec3 camera_back_world, const PathGoal& goal) {
     graph_.set_source(shader_revision_, 0, shaders_.revision());
     const scene::SubsurfaceMedium medium = scene::medium_of(*mesh.surface);
     const scene::SubsurfaceSettings& settings = *mesh.subsurface;
@@ -119,7 +120,17 @@ void TranslucentPasses::update(const scene::Mesh& mesh, const glm::dmat4& world_
     shown_.constants = subsurface_constants(medium, settings.model);
     shown_.frame = body_frame(world_from_model, **mesh.triangles);
     shown_.powers.clear();
-    LightParameters light{shown_.frame.body_from_model, {}, medium.refraction_index, int(settings.light_map_size)};
+    LightParameters light{shown_.frame.body_from_model, {}, {}, medium.refraction_index, int(settings.light_map_size)};
+    std::vector<int> reads{mesh_.triangles.index, mesh_.buffers.index, shader_revision_.index};
+    const glm::dmat3 body_from_world = mm_per_m * glm::transpose(shown_.frame.world_from_body);
+    for (const Occluder& occluder : occluders) {
+        glm::dmat4 body_from_model(body_from_world * glm::dmat3(occluder.world_from_model));
+        body_from_model[3] =
+            glm::dvec4(body_from_world * (glm::dvec3(occluder.world_from_model[3]) - shown_.frame.middle_world), 1.0);
+        light.shades.push_back({occluder.buffers, body_from_model});
+        reads.insert(reads.end(), {occluder.triangles.index, occluder.buffers.index});
+    }
+    graph_.set_reads(light_, reads);
     for (const scene::Light& lamp : lights) {
         light.lamps.push_back(body_lamp(lamp, shown_.frame, camera_back_world));
         shown_.powers.push_back(lamp.color * lamp.intensity * (scene::has_position(lamp) ? mm2_per_m2 : 1.0));
@@ -150,18 +161,35 @@ void TranslucentPasses::draw_body(const MeshBuffers& buffers, gl::Program& progr
     program.set("body_from_normal", glm::mat3(normals / largest));
     program.set("clip_from_body", glm::mat4(camera.clip_from_body()));
     program.use();
-    glBindVertexArray(buffers.array.name());
-    std::size_t indices = 0;
-    for (const MeshBuffers::Part& part : buffers.parts) {
-        indices += part.count;
+    draw_all(buffers);
+}
+
+void TranslucentPasses::draw_shades(const PassAccess& access, const std::vector<Shade>& shades,
+                                    const MapCamera& camera) const {
+    if (shades.empty()) {
+        return;
     }
-    glDrawElements(GL_TRIANGLES, GLsizei(indices), GL_UNSIGNED_INT, nullptr);
+    // Depth alone, so that what lies behind stays empty; also of what stands
+    // nearer to the lamp than the body's view.
+    gl::Program& program = shaders_.get("shadow_map.frag");
+    program.use();
+    glEnable(GL_DEPTH_CLAMP);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    for (const Shade& shade : shades) {
+        const MeshBuffers& buffers = access.read(shade.buffers);
+        glm::dmat4 from_middle(1.0);
+        from_middle[3] = glm::dvec4(buffers.middle_model, 1.0);
+        program.set("clip_from_model", glm::mat4(camera.clip_from_body() * shade.body_from_model * from_middle));
+        draw_all(buffers);
+    }
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDisable(GL_DEPTH_CLAMP);
 }
 
 void TranslucentPasses::draw_light_maps(const PassAccess& access, const LightParameters& parameters) {
-    const scene::TriangleMesh& mesh = *access.read(mesh_.triangles);
+    const std::vector<glm::dvec3> points = body_points(*access.read(mesh_.triangles), parameters.body_from_model);
     LightMaps& out = access.write(shown_.light);
-    out.bounding_radius = bounding_radius(mesh, parameters.body_from_model);
+    out.bounding_radius = bounding_radius(points);
     const glm::ivec3 size(parameters.size, parameters.size,
                           std::max(1, layers_of(parameters.lamps, out.bounding_radius)));
     if (!out.points || out.points.size() != size) {
@@ -176,8 +204,7 @@ void TranslucentPasses::draw_light_maps(const PassAccess& access, const LightPar
     out.coarsest_texel_mm = 0.0;
     int layer = 0;
     for (const BodyLamp& lamp : parameters.lamps) {
-        LightMaps::Drawn drawn{
-            lamp, layer, cameras_of(lamp, mesh, parameters.body_from_model, out.bounding_radius, parameters.size)};
+        LightMaps::Drawn drawn{lamp, layer, cameras_of(lamp, points, out.bounding_radius, parameters.size)};
         program.set("has_position", lamp.has_position ? 1 : 0);
         program.set("lamp", glm::vec3(lamp.has_position ? lamp.position : lamp.toward));
         program.set("axis", glm::vec3(lamp.axis));
@@ -190,6 +217,7 @@ void TranslucentPasses::draw_light_maps(const PassAccess& access, const LightPar
             glClearNamedFramebufferfv(target.name(), GL_COLOR, 1, nothing);
             glClearNamedFramebufferfv(target.name(), GL_DEPTH, 0, &farthest);
             target.bind();
+            draw_shades(access, parameters.shades, camera);
             draw_body(access.read(mesh_.buffers), program, parameters.body_from_model, camera);
             out.coarsest_texel_mm = std::max(out.coarsest_texel_mm, texel_mm(camera));
             ++layer;
@@ -203,7 +231,7 @@ void TranslucentPasses::draw_light_maps(const PassAccess& access, const LightPar
 }
 
 void TranslucentPasses::draw_exit_maps(const PassAccess& access, const ExitParameters& parameters) {
-    const scene::TriangleMesh& mesh = *access.read(mesh_.triangles);
+    const std::vector<glm::dvec3> points = body_points(*access.read(mesh_.triangles), parameters.body_from_model);
     ExitMaps& out = access.write(shown_.exits);
     const glm::ivec3 size(parameters.size, parameters.size, parameters.maps);
     if (!out.depth || out.depth.size() != size) {
@@ -219,8 +247,7 @@ void TranslucentPasses::draw_exit_maps(const PassAccess& access, const ExitParam
     out.first = {0};
     out.texel_mm = 0.0;
     for (int map = 0; map < parameters.maps; ++map) {
-        const MapCamera camera =
-            parallel_camera(mesh, parameters.body_from_model, halton_direction(unsigned(map) + 1), parameters.size);
+        const MapCamera camera = parallel_camera(points, halton_direction(unsigned(map) + 1), parameters.size);
         const gl::Framebuffer target("exit map", {{&out.normals, map}}, {&out.depth, map});
         const float farthest = 1.0F;
         glClearNamedFramebufferfv(target.name(), GL_DEPTH, 0, &farthest);

@@ -54,9 +54,15 @@ class TranslucentPasses {
     TranslucentPasses(const TranslucentPasses&) = delete;
     TranslucentPasses& operator=(const TranslucentPasses&) = delete;
 
+    /// A mesh that may stand in the body's light.
+    struct Occluder {
+        Handle<MeshPasses::Triangles> triangles;
+        Handle<MeshBuffers> buffers;
+        glm::dmat4 world_from_model{1.0};
+    };
     /// Hands the graph this frame's parameters. `lights`: those that shine.
-    void update(const scene::Mesh& mesh, const glm::dmat4& world_from_model, const std::vector<scene::Light>& lights,
-                glm::dvec3 camera_back_world, const PathGoal& goal);
+    void update(const scene::Mesh& mesh, const glm::dmat4& world_from_model, const std::vector<Occluder>& occluders,
+                const std::vector<scene::Light>& lights, glm::dvec3 camera_back_world, const PathGoal& goal);
 
     /// What a shader needs that shows or continues the result.
     struct Shown {
@@ -81,8 +87,14 @@ class TranslucentPasses {
     bool settled() const { return standing() != nullptr && standing()->noise <= shown_.settings.noise; }
 
   private:
+    struct Shade {
+        Handle<MeshBuffers> buffers;
+        glm::dmat4 body_from_model{1.0};  ///< of the model's own coordinates, metres
+        bool operator==(const Shade&) const = default;
+    };
     struct LightParameters {
         glm::dmat3 body_from_model{1.0};
+        std::vector<Shade> shades;  ///< what may stand in the light
         std::vector<BodyLamp> lamps;
         double eta = 1.3;
         int size = 0;
@@ -107,6 +119,7 @@ class TranslucentPasses {
     void draw_exit_maps(const PassAccess& access, const ExitParameters& parameters);
     void gather(const PassAccess& access, const Shown& shown, const PathGoal& goal);
     double measure_noise(const RadiosityMaps& radiosity, const ExitMaps& exits) const;
+    void draw_shades(const PassAccess& access, const std::vector<Shade>& shades, const MapCamera& camera) const;
     void draw_body(const MeshBuffers& buffers, gl::Program& program, const glm::dmat3& body_from_model,
                    const MapCamera& camera) const;
 
