@@ -26,6 +26,7 @@ bool SceneView::update(const scene::Scene& scene, glm::ivec2 area, double now, b
             return false;
         }
         moving_ms_ = last_ms_;
+        refined_ = refined_ && renderer_.missing_cloud_turns() == 0;
         return true;
     }
     if (!refined_ && now - changed_at_ >= rest_s && !waits_for_hand()) {
@@ -41,6 +42,7 @@ bool SceneView::refine(const scene::Scene& scene) {
     refined_ = true;
     const bool rendered = render(scene, view);
     refined_ = !path_standing_ || path_standing_->samples >= path_samples_ || !rendered;
+    refined_ = refined_ && (!rendered || renderer_.missing_cloud_turns() == 0);
     return rendered;
 }
 
