@@ -74,7 +74,7 @@ void main()
     float last_at = textureLod(last_distance, uv, 0.0).x;
     bool seen = all(greaterThanEqual(uv, vec2(0.0))) && all(lessThanEqual(uv, vec2(1.0))) &&
                 (orthographic != 0 || then.z < 0.0);
-    bool same = distance == 0.0 || last_at == 0.0 || abs(last_at - distance) < 100.0 * distance;
+    bool same = distance == 0.0 || last_at == 0.0 || max(last_at, distance) < 3.0 * min(last_at, distance);
 
     vec4 history = kept_spread == 0.0 ? texelFetch(last_radiance, pixel, 0) : sharp_history(uv);
     vec4 mean = textureLod(fresh_mean, uv_fresh, 0.0);
