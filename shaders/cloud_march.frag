@@ -62,7 +62,7 @@ float sample_place()
     }
     if (jitter == 2) {
         // The golden ratio turns one tile into as many as there are frames.
-        float u = texelFetch(blue_noise, ivec2(PIXEL_CENTRE) % textureSize(blue_noise, 0), 0).x;
+        float u = texelFetch(blue_noise, ivec2(PIXEL_CENTRE) % max(textureSize(blue_noise, 0), ivec2(1)), 0).x;
         return fract(u + float(frame % 64u) * 0.61803399);
     }
     return 0.5;

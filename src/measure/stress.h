@@ -26,6 +26,8 @@ struct StressOptions {
 std::vector<StressVerdict> run_volume_stress(const StressOptions& options);
 /// All cases of the suite 'light': light that scatters in volumes.
 std::vector<StressVerdict> run_light_stress(const StressOptions& options);
+/// All cases of the suite 'clouds'.
+std::vector<StressVerdict> run_cloud_stress(const StressOptions& options);
 
 /// 'ok   values/noise  0 and 255 at random: 1.2e-3 (at most 4e-3)'.
 std::string line_of(const StressVerdict& verdict);

@@ -86,6 +86,14 @@ void Clouds::remove() {
     forget_own_sky();
 }
 
+int Clouds::missing_turns() const {
+    int most = 0;
+    for (const auto& [name, layer] : layers_) {
+        most = std::max(most, layer->march.missing_turns());
+    }
+    return most;
+}
+
 std::vector<Handle<CloudCounts>> Clouds::counts() const {
     std::vector<Handle<CloudCounts>> all;
     for (const auto& [name, layer] : layers_) {

@@ -19,6 +19,8 @@ class Clouds {
                                              Handle<OpaquePicture> opaque, Handle<SkyLight> sky, glm::ivec2 pixels,
                                              double step_scale);
     void remove();
+    /// With reprojection: turns that are missing until the picture is as if all of it had been marched.
+    int missing_turns() const;
     /// The counting march of each layer of the last update.
     std::vector<Handle<CloudCounts>> counts() const;
 

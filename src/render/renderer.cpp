@@ -302,6 +302,25 @@ std::optional<PathStanding> Renderer::path_standing() const {
     return standing;
 }
 
+CloudTotals Renderer::count_clouds(const scene::Scene& scene, const View& view) {
+    update(scene, view);
+    CloudTotals totals;
+    const auto layers = clouds_ ? clouds_->counts() : std::vector<Handle<CloudCounts>>{};
+    for (const Handle<CloudCounts> layer : layers) {
+        graph_.run({march_.picture.index, layer.index});
+        std::vector<glm::uvec4> pixels(std::size_t(view.pixels.x) * view.pixels.y);
+        graph_.product(layer)->counts.download({GL_RGBA_INTEGER, GL_UNSIGNED_INT}, pixels.size() * sizeof(glm::uvec4),
+                                               pixels.data());
+        for (const glm::uvec4 pixel : pixels) {
+            totals.turns += pixel.x;
+            totals.weather += pixel.y;
+            totals.noise += pixel.z;
+            totals.light += pixel.w;
+        }
+    }
+    return totals;
+}
+
 SampleTotals Renderer::count_samples(const scene::Scene& scene, const View& view) {
     update(scene, view);
     SampleTotals totals;

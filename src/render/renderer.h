@@ -21,6 +21,11 @@ struct SampleTotals {
     double samples_per_pixel = 0.0;
 };
 
+/// Sums over all pixels and layers of the counting march of clouds.
+struct CloudTotals {
+    std::uint64_t turns = 0, weather = 0, noise = 0, light = 0;
+};
+
 /// How far path tracing has come.
 struct PathStanding {
     int samples = 0;  ///< paths that every pixel has
@@ -52,6 +57,11 @@ class Renderer {
     Image read_picture() const;
     /// Counts the samples of the last view by drawing it once more; `picture` is not touched.
     SampleTotals count_samples(const scene::Scene& scene, const View& view);
+
+    /// Clouds with reprojection: pictures to be drawn until a still one is as if all of it had been marched.
+    int missing_cloud_turns() const { return clouds_ ? clouds_->missing_turns() : 0; }
+    /// Lookups of the clouds' march, all layers together, by drawing it once more.
+    CloudTotals count_clouds(const scene::Scene& scene, const View& view);
 
     /// Paths that every pixel of the last picture has; nothing when it was not path traced.
     std::optional<int> path_samples() const;

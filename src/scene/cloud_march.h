@@ -16,7 +16,7 @@ inline std::span<const std::string_view> enum_words<CloudSunPath>() {
 
 /// What a picture of clouds costs and how exact it is. No switch changes what is drawn beyond its error.
 struct CloudMarch {
-    double step_m = 40.0;        ///< shortest segment near the eye
+    double step_m = 30.0;        ///< shortest segment near the eye
     double step_growth = 0.005;  ///< shortest segment per distance
     double optical_step = 0.35;  ///< optical depth that a segment aims at; 0: all segments are the shortest
     bool big_steps = true;       ///< four times longer segments until something is met
@@ -28,7 +28,7 @@ struct CloudMarch {
     CloudSunPath sun_path = CloudSunPath::grid;
     std::int64_t grid_columns = 256;  ///< of the grid, along both edges of the weather map
     std::int64_t grid_slices = 48;
-    Jitter jitter = Jitter::blue_noise;
+    Jitter jitter = Jitter::off;  ///< steps are short enough for no bands; noise would be grain
     bool reprojection = false;
     double reach_m = 200e3;
     bool operator==(const CloudMarch&) const = default;

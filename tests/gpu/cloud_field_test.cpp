@@ -43,7 +43,6 @@ class CloudFieldShader : public Drawing {
         GLuint unit = 0;
         set_cloud_field(program, layer, cloud_origins(layer, place, time_s), weather, *graph.product(noise.noise),
                         unit);
-        program.set("what", 0);
         return evaluate(program, points);
     }
 };
@@ -128,8 +127,7 @@ TEST_F(CloudFieldShader, IntervalsAreThoseOfDoublePrecision) {
         const double climb = n % 2 ? between(-1.0, 1.0) : between(-0.1, 0.1);
         rays.emplace_back(altitude, climb, 1500.0, 4000.0);
     }
-    gl::Program& program = shaders().get("../tests/gpu/cloud_values.comp");
-    program.set("what", 1);
+    gl::Program& program = shaders().get("../tests/gpu/cloud_values.comp", {{"INTERVALS", ""}});
     program.set("planet_radius", float(planet));
     const auto found = evaluate(program, rays);
     double worst = 0.0;

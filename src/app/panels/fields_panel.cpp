@@ -17,7 +17,7 @@ struct Shown {
     std::string unit;
 };
 Shown shown(const Field& field) {
-    if (field.unit == "m") {
+    if (field.unit == "m" && field.panel_max < 100.0) {
         return {1e3, " mm"};
     }
     return {1.0, field.unit.empty() ? std::string() : fmt::format(" {}", field.unit)};

@@ -14,6 +14,7 @@ namespace bruma::app {
 struct PanelRequests {
     bool open_file = false, save_scene = false, save_scene_as = false, screenshot = false;
     bool fit = false, help = false, expose = false, count_samples = false, undo = false, redo = false;
+    std::optional<bool> play;  ///< time starts or stops running
     bool load_transfer_function = false, save_transfer_function = false;
     std::string transfer_function_file;  ///< to be loaded into the volume being edited
 };
@@ -34,6 +35,7 @@ struct ViewerFacts {
     std::string scene_path;
     std::vector<io::Preset> presets;  ///< of transfer functions
     bool can_undo = false, can_redo = false;
+    bool playing = false;  ///< time runs
 };
 
 /// All that a panel sees. It changes the scene in place; the viewer notices by the revisions.

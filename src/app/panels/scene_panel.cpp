@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "app/panels/clouds_panel.h"
 #include "app/panels/fields_panel.h"
 #include "app/panels/mesh_inside.h"
 #include "app/panels/theme.h"
@@ -22,6 +23,9 @@ std::string kind_words(const scene::Node& node) {
     }
     if (const auto* mesh = std::get_if<scene::Mesh>(&node.content); mesh && *mesh->triangles) {
         return fmt::format("{} triangles", (*mesh->triangles)->triangles.size());
+    }
+    if (const auto* clouds = std::get_if<scene::Clouds>(&node.content)) {
+        return fmt::format("clouds, {:g} to {:g} m", clouds->layer->bottom_m, clouds->layer->top_m);
     }
     return "group";
 }
@@ -197,7 +201,10 @@ void show_selected_node(PanelContext& context) {
             }
         }
     }
-    if (ImGui::TreeNode("Place")) {
+    if (auto* clouds = std::get_if<scene::Clouds>(&node.content)) {
+        show_clouds(context, *clouds);
+    }
+    if (!std::holds_alternative<scene::Clouds>(node.content) && ImGui::TreeNode("Place")) {
         edit_tracked(node.transform);
         if (ImGui::SmallButton("Back to the origin")) {
             node.transform.set({});

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/panels/clouds_panel.h"
 #include "app/panels/fields_panel.h"
 #include "app/panels/scene_panel.h"
 #include "app/panels/statistics_panel.h"
@@ -49,6 +50,9 @@ void show_sections(PanelContext& context, TransferFunctionPanel& transfer_functi
     }
     if (context.scene.nodes.contains(context.selected) && section(context, "Selected node", false)) {
         show_selected_node(context);
+    }
+    if (!scene::shown_clouds(context.scene).empty() && section(context, "Animation", true)) {
+        show_animation(context);
     }
     if (section(context, "Lights", false)) {
         show_lights(context);

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "io/atomic_file.h"
 #include "io/picture_file.h"
+#include "measure/bench_clouds.h"
 #include "measure/bench_findings.h"
 #include "measure/bench_frames.h"
 #include "measure/bench_light_report.h"
@@ -98,6 +99,27 @@ int bench_light(const BenchArguments& arguments, const std::vector<std::string>&
     return int(ExitCode::done);
 }
 
+int bench_clouds(const BenchArguments& arguments, const std::vector<std::string>& command_line) {
+    io::require_writable_folder(arguments.output);
+    if (!arguments.scene.files.empty()) {
+        throw InputError(fmt::format("{}: the suite of clouds draws the built-in genera only; name no files",
+                                     arguments.scene.files.front()));
+    }
+    measure::CloudBenchOptions options;
+    options.pixels = arguments.scene.pixels();
+    const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
+    options.repeats = arguments.repeats;
+    options.quick = arguments.quick;
+    if (options.quick) {
+        options.reference_pixels = {12, 7};
+    }
+    options.say = [](const std::string& line) { fmt::print("{}\n", line); };
+    measure::write_cloud_bench(measure::run_cloud_bench(options), arguments.output);
+    fmt::print("times are numbers of this machine; written: {}\n",
+               (std::filesystem::path(arguments.output) / "clouds.html").string());
+    return int(ExitCode::done);
+}
+
 int bench_frames(const BenchArguments& arguments, const std::vector<std::string>& command_line) {
     if (!arguments.picture.empty() && arguments.scene.files.size() != 1) {
         throw InputError(fmt::format("--picture-frame0 {}: one picture, but {} scenes; give one scene at a time",
@@ -161,6 +183,10 @@ Verb declare_bench(CLI::App& app, const std::vector<std::string>& command_line) 
                             "one volume each, are added to the usual scenes");
     light->add_option("--repeats", arguments->repeats, "rounds of timed frames")->check(CLI::Range(1, 1000));
     light->add_flag("--quick", arguments->quick, "one scene, without full resolution");
+    CLI::App* clouds =
+        suite("clouds", "clouds: what each technique of the march costs and how far it is from the truth");
+    clouds->add_option("--repeats", arguments->repeats, "timed frames")->check(CLI::Range(1, 1000));
+    clouds->add_flag("--quick", arguments->quick, "one view of each preset");
     CLI::App* frames = suite("frames", "frames along an orbit around each scene, as other programs measure theirs");
     frames->add_option("--repeats", arguments->frames, "frames that count")->check(CLI::Range(1, 100000));
     frames->add_option("--warmup", arguments->warmup, "frames before them")->check(CLI::Range(0, 1000));
@@ -169,9 +195,12 @@ Verb declare_bench(CLI::App& app, const std::vector<std::string>& command_line) 
     frames->add_option("--picture-frame0", arguments->picture, ".exr: the first frame, linear");
     frames->get_option("files")->required();
     app.require_subcommand(1);
-    return [arguments, command_line, frames, light] {
+    return [arguments, command_line, frames, light, clouds] {
         if (arguments->scene.size.empty()) {  // references of light are slow, and smooth light needs few pixels
-            arguments->scene.size = light->parsed() ? "96x96" : "512x512";
+            arguments->scene.size = light->parsed() ? "96x96" : clouds->parsed() ? "512x288" : "512x512";
+        }
+        if (clouds->parsed()) {
+            return bench_clouds(*arguments, command_line);
         }
         if (light->parsed()) {
             return bench_light(*arguments, command_line);

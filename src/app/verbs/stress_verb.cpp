@@ -51,10 +51,15 @@ Verb declare_stress(CLI::App& app, const std::vector<std::string>& command_line)
     volume->add_option("--random", arguments->options.random_scenes, "how many scenes to draw at random")
         ->check(CLI::Range(0, 1000000));
     const CLI::App* light = suite("light", "light that scatters in volumes: optics, lamps, shapes, motion");
+    CLI::App* clouds = suite("clouds", "clouds: sun, cameras, layers, weather maps, history");
+    clouds->add_option("--random", arguments->options.random_scenes, "how many frames to draw with random parameters")
+        ->check(CLI::Range(0, 1000000));
     app.require_subcommand(1);
-    return [arguments, command_line, light] {
-        return run_suite(light->parsed() ? measure::run_light_stress : measure::run_volume_stress, *arguments,
-                         command_line);
+    return [arguments, command_line, light, clouds] {
+        return run_suite(clouds->parsed()  ? measure::run_cloud_stress
+                         : light->parsed() ? measure::run_light_stress
+                                           : measure::run_volume_stress,
+                         *arguments, command_line);
     };
 }
 

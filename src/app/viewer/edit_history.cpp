@@ -24,6 +24,7 @@ void EditHistory::exchange(scene::Scene& scene, scene::Scene with) {
     if (scene.camera) {
         with.camera = scene.camera;
     }
+    with.time = scene.time;
     scene = std::move(with);
 }
 

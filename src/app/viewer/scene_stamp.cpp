@@ -47,7 +47,7 @@ void append_content(SceneStamp& stamp, const scene::Scene& scene) {
 }  // namespace
 
 SceneStamp picture_stamp(const scene::Scene& scene) {
-    SceneStamp stamp{scene.camera ? scene.camera->revision() : 0};
+    SceneStamp stamp{scene.camera ? scene.camera->revision() : 0, scene.time.revision()};
     append_content(stamp, scene);
     return stamp;
 }

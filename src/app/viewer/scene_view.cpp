@@ -25,7 +25,7 @@ bool SceneView::update(const scene::Scene& scene, glm::ivec2 area, double now, b
         if (!render(scene, view)) {
             return false;
         }
-        refined_ = refined_ && is_light_inside_settled();
+        refined_ = refined_ && is_light_inside_settled() && renderer_.missing_cloud_turns() == 0;
         moving_ms_ = last_ms_;
         return true;
     }
@@ -42,7 +42,8 @@ bool SceneView::refine(const scene::Scene& scene) {
     refined_ = true;
     const bool rendered = render(scene, view);
     const bool all_paths = !path_standing_ || path_standing_->samples >= path_samples_;
-    refined_ = (all_paths && is_light_inside_settled()) || !rendered;
+    const bool all_turns = renderer_.missing_cloud_turns() == 0;
+    refined_ = (all_paths && all_turns && is_light_inside_settled()) || !rendered;
     return rendered;
 }
 

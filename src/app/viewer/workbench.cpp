@@ -4,6 +4,7 @@
 #include <imgui/imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/panels/side_panel.h"
 #include "app/panels/statistics_panel.h"
@@ -11,6 +12,7 @@
 #include "app/scene_arguments.h"
 #include "base/error.h"
 #include "base/log.h"
+#include "io/weather_file.h"
 
 namespace bruma::app {
 
@@ -25,6 +27,7 @@ Workbench::Workbench(const ViewRequest& request, gl::ShaderLibrary& shaders, std
 }
 
 void Workbench::frame(glm::ivec2 pixels, double now) {
+    play(now - now_);
     now_ = now;
     ++frames_;
     places_.clear();
@@ -34,6 +37,7 @@ void Workbench::frame(glm::ivec2 pixels, double now) {
     show_panels();
     try {
         scene::check(scene_);
+        io::load_missing_weather(scene_, &before);
     } catch (const InputError& fault) {
         // What no picture can be made of is not taken; the panel shows the old value again.
         scene_ = before;
@@ -62,6 +66,7 @@ void Workbench::frame(glm::ivec2 pixels, double now) {
     facts_.scene_path = scene_path_;
     facts_.can_undo = history_.can_undo();
     facts_.can_redo = history_.can_redo();
+    facts_.playing = playing_;
     show_status();
 
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -81,7 +86,23 @@ void Workbench::show_panels() {
     }
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     places_.note("picture", {0.0F, 0.0F}, {float(area_.x) / scale.x, float(area_.y) / scale.y});
+    playing_ = requests.play.value_or(playing_);
     obey(requests);
+}
+
+void Workbench::play(double elapsed_s) {
+    if (!playing_) {
+        return;
+    }
+    scene_.time.edit([&](scene::Timeline& timeline) {
+        const double length = timeline.end_s - timeline.start_s;
+        timeline.now_s += elapsed_s * timeline.speed;
+        if (timeline.now_s > timeline.end_s) {
+            playing_ = timeline.loop && length > 0.0;
+            timeline.now_s =
+                playing_ ? timeline.start_s + std::fmod(timeline.now_s - timeline.start_s, length) : timeline.end_s;
+        }
+    });
 }
 
 std::string Workbench::words_under_cursor() const {
@@ -153,6 +174,9 @@ std::string Workbench::shown_fault() const {
 }
 
 std::optional<double> Workbench::next_frame_at() const {
+    if (playing_) {
+        return now_;
+    }
     std::optional<double> at = view_.refine_at();
     if (notice_until_ > now_) {
         at = std::min(at.value_or(notice_until_), notice_until_);

@@ -46,6 +46,8 @@ class Workbench {
 
   private:
     void show_panels();
+    /// Moves the scene's time on while it is played.
+    void play(double elapsed_s);
     void show_over_picture();
     void show_status();
     std::string words_under_cursor() const;
@@ -83,6 +85,7 @@ class Workbench {
     TransferFunctionPanel transfer_function_panel_;
     glm::ivec2 area_{0};
     double now_ = 0.0;
+    bool playing_ = false;
     std::string shader_fault_, notice_;
     double notice_until_ = 0.0;
     int frames_ = 0;

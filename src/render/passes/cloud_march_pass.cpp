@@ -15,15 +15,6 @@
 namespace bruma::render {
 namespace {
 
-void make_targets(CloudPicture& picture, glm::ivec2 pixels) {
-    if (!picture.radiance || glm::ivec2(picture.radiance.size()) != pixels) {
-        picture.framebuffer = {};
-        picture.radiance = gl::Texture::make_2d("cloud radiance", GL_RGBA32F, pixels);
-        picture.distance = gl::Texture::make_2d("cloud distance", GL_R32F, pixels);
-        picture.framebuffer = gl::Framebuffer("clouds", {&picture.radiance, &picture.distance});
-    }
-}
-
 void make_targets(CloudCounts& counts, glm::ivec2 pixels) {
     if (!counts.counts || glm::ivec2(counts.counts.size()) != pixels) {
         counts.framebuffer = {};
@@ -77,6 +68,10 @@ void CloudMarchPass::update(const scene::Scene& scene, const scene::Clouds& clou
     graph_.set_source(camera_, **scene.camera, scene.camera->revision());
     graph_.set_source(map_, *clouds.map, clouds.map.revision());
     graph_.set_source(shader_revision_, 0, shaders_.revision());
+    turn_ += clouds.march->reprojection && history_.missing() > 0 ? 1 : 0;
+    const scene::CloudLayer& layer = *clouds.layer;
+    const CloudSight sight{**scene.camera,
+                           scene::wind_direction_world(layer) * (layer.wind_speed_m_s * scene.time->now_s)};
     const Parameters parameters{pixels,
                                 step_scale,
                                 *clouds.layer,
@@ -84,7 +79,9 @@ void CloudMarchPass::update(const scene::Scene& scene, const scene::Clouds& clou
                                 *clouds.march,
                                 cloud_origins(*clouds.layer, (*scene.camera)->eye_world, scene.time->now_s),
                                 sun_lean(sun_direction_world(scene)),
-                                inputs.opaque};
+                                inputs.opaque,
+                                sight,
+                                clouds.march->reprojection ? turn_ : 0};
     const Handles handles{inputs.passes.weather, inputs.passes.columns, inputs.passes.sun, inputs.noise, inputs.light};
     std::vector<int> reads{camera_.index,         map_.index,          shader_revision_.index,
                            handles.weather.index, handles.noise.index, handles.light.index};
@@ -201,16 +198,48 @@ void CloudMarchPass::set_march(const PassAccess& access, gl::Program& program, c
     }
 }
 
+CloudMarchPass::Made CloudMarchPass::made_with(Parameters parameters, const Handles& handles) const {
+    const bool grid = parameters.march.sun_path == scene::CloudSunPath::grid;
+    parameters.origins = {};
+    parameters.sight = {};
+    parameters.turn = 0;
+    return {parameters,
+            {graph_.revision(map_.index), graph_.revision(handles.weather.index), graph_.revision(handles.light.index),
+             graph_.revision(grid ? handles.sun.index : handles.columns.index)}};
+}
+
 void CloudMarchPass::draw(const PassAccess& access, const Parameters& parameters, const Handles& handles,
                           bool counting) {
+    gl::Defines defines = defines_of(parameters, counting);
     if (counting) {
         make_targets(access.write(counts), parameters.pixels);
         access.write(counts).framebuffer.bind();
-    } else {
-        make_targets(access.write(picture), parameters.pixels);
-        access.write(picture).framebuffer.bind();
+        march(access, parameters, handles, defines);
+        return;
     }
-    gl::Program& program = shaders_.get("cloud_march.frag", defines_of(parameters, counting));
+    CloudPicture& out = access.write(picture);
+    const Made made = made_with(parameters, handles);
+    const bool resumes = parameters.march.reprojection && made_ == made && out.radiance;
+    made_ = made;
+    if (!resumes) {
+        make_targets(out, parameters.pixels);
+        out.framebuffer.bind();
+        march(access, parameters, handles, defines);
+        history_.begin(parameters.sight);
+        access.note(fmt::format("{} x {} pixels", parameters.pixels.x, parameters.pixels.y));
+        return;
+    }
+    defines["SPARSE"] = "";
+    history_.sparse(parameters.pixels).framebuffer.bind();
+    march(access, parameters, handles, defines);
+    history_.resolve(shaders_, parameters.sight, out);
+    access.note(fmt::format("a sixteenth of {} x {} pixels", parameters.pixels.x, parameters.pixels.y));
+}
+
+void CloudMarchPass::march(const PassAccess& access, const Parameters& parameters, const Handles& handles,
+                           gl::Defines defines) {
+    gl::Program& program = shaders_.get("cloud_march.frag", defines);
+    program.set("pixel_offset", history_.offset());
     const scene::Camera camera = access.read(camera_);
     GLuint unit = 0;
     const CloudWeatherTextures& weather = access.read(handles.weather);
@@ -241,7 +270,6 @@ void CloudMarchPass::draw(const PassAccess& access, const Parameters& parameters
     glBindVertexArray(no_vertices_.name());
     program.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    access.note(fmt::format("{} x {} pixels", parameters.pixels.x, parameters.pixels.y));
 }
 
 }  // namespace bruma::render

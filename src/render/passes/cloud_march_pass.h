@@ -1,17 +1,14 @@
 #pragma once
+#include <array>
+#include <optional>
+
+#include "render/cloud_history.h"
 #include "render/cloud_uniforms.h"
 #include "render/passes/cloud_passes.h"
 #include "render/passes/cloud_sky_pass.h"
 #include "render/passes/opaque_pass.h"
 
 namespace bruma::render {
-
-/// What one layer of clouds adds to each pixel. Bottom row first.
-struct CloudPicture {
-    gl::Texture radiance;  ///< linear, added; alpha: transmittance
-    gl::Texture distance;  ///< mean along the ray, metres, weighted by what each part hides; 0: nothing is hidden
-    gl::Framebuffer framebuffer;
-};
 
 /// Turns of the march and lookups of weather, noise and light, per pixel.
 struct CloudCounts {
@@ -38,6 +35,9 @@ class CloudMarchPass {
     Handle<CloudPicture> picture;
     Handle<CloudCounts> counts;
 
+    /// With reprojection: turns that are missing until the picture is as if all of it had been marched.
+    int missing_turns() const { return history_.missing(); }
+
   private:
     struct Parameters {
         glm::ivec2 pixels{0};
@@ -48,7 +48,15 @@ class CloudMarchPass {
         CloudOrigins origins;
         glm::dvec2 lean{0.0};
         Handle<OpaquePicture> opaque;
+        CloudSight sight;
+        int turn = 0;  ///< with reprojection another one while turns are missing
         bool operator==(const Parameters&) const = default;
+    };
+    /// What the last picture was made with; history serves only pictures that differ by sight alone.
+    struct Made {
+        Parameters parameters;
+        std::array<Revision, 4> inputs{};  ///< map, weather, light, depths
+        bool operator==(const Made&) const = default;
     };
     struct Handles {
         Handle<CloudWeatherTextures> weather;
@@ -58,6 +66,8 @@ class CloudMarchPass {
         Handle<SkyLight> light;
     };
     void draw(const PassAccess& access, const Parameters& parameters, const Handles& handles, bool counting);
+    Made made_with(Parameters parameters, const Handles& handles) const;
+    void march(const PassAccess& access, const Parameters& parameters, const Handles& handles, gl::Defines defines);
     static gl::Defines defines_of(const Parameters& parameters, bool counting);
     void set_march(const PassAccess& access, gl::Program& program, const Parameters& parameters,
                    const scene::Camera& camera, GLuint& unit);
@@ -69,6 +79,9 @@ class CloudMarchPass {
     gl::ShaderLibrary& shaders_;
     gl::VertexArray no_vertices_{"no vertices"};
     gl::Texture blue_noise_;
+    CloudHistory history_;
+    std::optional<Made> made_;
+    int turn_ = 0;
     Handle<scene::Camera> camera_;
     Handle<CloudPasses::Map> map_;
     Handle<int> shader_revision_;

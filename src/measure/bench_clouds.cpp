@@ -1,0 +1,217 @@
+#include "measure/bench_clouds.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/installation.h"
+#include "measure/image_error.h"
+#include "reference/render_clouds.h"
+#include "render/renderer.h"
+#include "scene/builtin_clouds.h"
+
+namespace bruma::measure {
+namespace {
+
+scene::Clouds& clouds_in(scene::Scene& scene) {
+    return std::get<scene::Clouds>(scene.nodes.at("sky").content);
+}
+
+struct Technique {
+    std::string name;
+    std::function<void(scene::CloudMarch&)> change;
+};
+
+std::vector<Technique> techniques(bool quick) {
+    std::vector<Technique> all{
+        {"usual", [](auto&) {}},
+        {"no skipping", [](auto& march) { march.empty_space_skipping = false; }},
+        {"no big steps", [](auto& march) { march.big_steps = false; }},
+        {"no early end", [](auto& march) { march.early_termination = false; }},
+        {"steps of one length", [](auto& march) { march.optical_step = 0.0; }},
+        {"cone", [](auto& march) { march.sun_path = scene::CloudSunPath::cone; }},
+        {"blue noise", [](auto& march) { march.jitter = scene::Jitter::blue_noise; }},
+        {"none of them",
+         [](auto& march) {
+             march.empty_space_skipping = march.big_steps = march.early_termination = false;
+             march.optical_step = 0.0;
+         }},
+    };
+    if (!quick) {
+        for (const double step : {120.0, 60.0, 15.0}) {
+            all.push_back({fmt::format("step {:g} m", step), [step](auto& march) {
+                               march.step_m = step;
+                               march.step_growth *= step / scene::CloudMarch{}.step_m;
+                               march.optical_step *= std::min(2.0, step / scene::CloudMarch{}.step_m);
+                           }});
+        }
+        all.push_back({"fine grid of light", [](auto& march) { march.grid_columns = 512; }});
+    }
+    return all;
+}
+
+/// Turns the camera a little: a frame that nothing but its view makes new.
+void turn(scene::Scene& scene, double degrees) {
+    scene.camera->edit([&](scene::Camera& camera) {
+        const glm::dvec3 ahead = camera.target_world - camera.eye_world;
+        const double angle = glm::radians(degrees);
+        camera.target_world =
+            camera.eye_world + glm::dvec3(ahead.x * std::cos(angle) - ahead.z * std::sin(angle), ahead.y,
+                                          ahead.x * std::sin(angle) + ahead.z * std::cos(angle));
+    });
+}
+
+struct Timed {
+    double ms = 0.0, cpu_ms = 0.0;
+};
+
+/// The middle of some frames along a small turn there and back.
+Timed timed_frames(render::Renderer& renderer, scene::Scene scene, const render::View& view, int repeats) {
+    renderer.render(scene, view);
+    std::vector<double> wall, cpu;
+    for (int n = 0; n < std::max(3, repeats); ++n) {
+        turn(scene, n % 2 == 0 ? 0.2 : -0.2);
+        const Duration took = drained([&] { renderer.render(scene, view); });
+        wall.push_back(took.wall_ms);
+        cpu.push_back(took.cpu_ms);
+    }
+    return {median(wall), median(cpu)};
+}
+
+CloudBenchRow row_of(gl::ShaderLibrary& shaders, scene::Scene scene, const Technique& technique, const Image& truth,
+                     const CloudBenchOptions& options) {
+    clouds_in(scene).march.edit(technique.change);
+    render::Renderer renderer(shaders);
+    CloudBenchRow row{.technique = technique.name};
+    renderer.render(scene, {options.reference_pixels, 1.0});
+    const Image found = renderer.read_picture();
+    double sum = 0.0, level = 0.0;
+    for (std::size_t n = 0; n < truth.rgba.size(); ++n) {
+        if (n % 4 != 3) {
+            sum += double(found.rgba[n]) - truth.rgba[n];
+            level += double(truth.rgba[n]) * truth.rgba[n];
+        }
+    }
+    const double count = 3.0 * double(truth.pixel_count());
+    row.rmse = compare_images(found, truth).rmse;
+    row.relative_rmse = row.rmse / std::sqrt(std::max(1e-12, level / count));
+    row.bias = sum / count;
+    const render::View view{options.pixels, 1.0};
+    const Timed took = timed_frames(renderer, scene, view, options.repeats);
+    row.ms = took.ms;
+    row.cpu_ms = took.cpu_ms;
+    const render::CloudTotals totals = renderer.count_clouds(scene, view);
+    const double pixels = double(options.pixels.x) * options.pixels.y;
+    row.turns = double(totals.turns) / pixels;
+    row.weather = double(totals.weather) / pixels;
+    row.noise = double(totals.noise) / pixels;
+    row.light = double(totals.light) / pixels;
+    return row;
+}
+
+/// Deviation of each channel over frames at rest, as a root mean square over all of them.
+double flicker(render::Renderer& renderer, const scene::Scene& scene, const render::View& view, int frames) {
+    std::vector<double> sum, squares;
+    for (int n = 0; n < frames; ++n) {
+        renderer.render(scene, view);
+        const Image image = renderer.read_picture();
+        sum.resize(image.rgba.size());
+        squares.resize(image.rgba.size());
+        for (std::size_t k = 0; k < image.rgba.size(); ++k) {
+            sum[k] += image.rgba[k];
+            squares[k] += double(image.rgba[k]) * image.rgba[k];
+        }
+    }
+    double total = 0.0;
+    for (std::size_t k = 0; k < sum.size(); ++k) {
+        const double mean = sum[k] / frames;
+        total += std::max(0.0, squares[k] / frames - mean * mean);
+    }
+    return std::sqrt(total / double(std::max<std::size_t>(1, sum.size())));
+}
+
+CloudPan pan_of(gl::ShaderLibrary& shaders, scene::Scene scene, const CloudBenchOptions& options) {
+    const render::View view{options.pixels, 1.0};
+    render::Renderer full(shaders), reprojected(shaders);
+    CloudPan pan;
+    const Timed whole = timed_frames(full, scene, view, options.repeats);
+    pan.full_ms = whole.ms;
+    pan.full_cpu_ms = whole.cpu_ms;
+    scene::Scene sparse = scene;
+    clouds_in(sparse).march.edit([](scene::CloudMarch& march) { march.reprojection = true; });
+    reprojected.render(sparse, view);
+    std::vector<double> wall, cpu;
+    for (int frame = 0; frame < 32; ++frame) {
+        // Ten degrees a second at 30 frames a second, under the wind.
+        turn(scene, 1.0 / 3.0);
+        scene.time.edit([](scene::Timeline& timeline) { timeline.now_s += 1.0 / 30.0; });
+        sparse.camera = scene.camera;
+        sparse.time = scene.time;
+        const Duration took = drained([&] { reprojected.render(sparse, view); });
+        wall.push_back(took.wall_ms);
+        cpu.push_back(took.cpu_ms);
+    }
+    pan.ms = median(wall);
+    pan.cpu_ms = median(cpu);
+    full.render(scene, view);
+    const Image truth = full.read_picture();
+    pan.rmse_from_full = compare_images(reprojected.read_picture(), truth).rmse;
+    while (reprojected.missing_cloud_turns() > 0) {
+        reprojected.render(sparse, view);
+    }
+    pan.rmse_at_rest = compare_images(reprojected.read_picture(), truth).rmse;
+    pan.flicker = flicker(reprojected, sparse, view, options.quick ? 4 : 64);
+    return pan;
+}
+
+}  // namespace
+
+scene::Scene cloud_view(scene::CloudType type, const std::string& view) {
+    scene::Scene scene = scene::builtin_cloud_scene(type);
+    const scene::CloudLayer& layer = *clouds_in(scene).layer;
+    if (view != "below") {
+        const bool inside = view == "inside";
+        const double altitude = layer.bottom_m + (inside ? 0.25 : 1.3) * (layer.top_m - layer.bottom_m);
+        scene.camera->edit([&](scene::Camera& camera) {
+            camera.eye_world = {0.0, altitude, 0.0};
+            camera.target_world = camera.eye_world + glm::dvec3(0.5, inside ? 0.02 : -0.3, -0.8);
+        });
+    }
+    return scene;
+}
+
+CloudBench run_cloud_bench(const CloudBenchOptions& options) {
+    CloudBench bench{describe_machine(), options, {}};
+    gl::ShaderLibrary shaders(installed_folder("shaders"));
+    const std::vector<std::string> views =
+        options.quick ? std::vector<std::string>{"below"} : std::vector<std::string>{"below", "inside", "above"};
+    for (const scene::CloudType type :
+         {scene::CloudType::cumulus, scene::CloudType::stratocumulus, scene::CloudType::stratus}) {
+        for (const std::string& view : views) {
+            CloudBenchScene result{
+                std::string(scene::enum_words<scene::CloudType>()[std::size_t(type)]), view, 0.0, {}, {}};
+            const scene::Scene scene = cloud_view(type, view);
+            const auto start = std::chrono::steady_clock::now();
+            reference::CloudImageOptions exact;
+            exact.fixed_step_m = options.quick ? 24.0 : 8.0;
+            exact.fixed_sun_samples = options.quick ? 32 : 96;
+            exact.march.stop_transmittance = 1e-4;
+            const Image truth =
+                reference::render_clouds(scene, options.reference_pixels.x, options.reference_pixels.y, exact).image;
+            result.reference_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            for (const Technique& technique : techniques(options.quick)) {
+                result.rows.push_back(row_of(shaders, scene, technique, truth, options));
+            }
+            result.pan = pan_of(shaders, scene, options);
+            if (options.say) {
+                options.say(fmt::format("{} {}: {}", result.preset, result.view, finding(result)));
+            }
+            bench.scenes.push_back(std::move(result));
+        }
+    }
+    return bench;
+}
+
+}  // namespace bruma::measure

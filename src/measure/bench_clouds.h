@@ -1,0 +1,61 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "measure/bench_machine.h"
+#include "scene/scene.h"
+
+/// What clouds cost and how far their pictures are from the truth, over the techniques of the march, and what
+/// reprojection saves and costs.
+namespace bruma::measure {
+
+struct CloudBenchOptions {
+    glm::ivec2 pixels{512, 288};          ///< of the frames that are timed
+    glm::ivec2 reference_pixels{32, 18};  ///< of the pictures that are compared: the truth is slow
+    int repeats = 3;
+    bool quick = false;  ///< one view, and the usual settings with and without each technique
+    std::function<void(const std::string&)> say = {};
+};
+
+/// One set of techniques on one view of one preset.
+struct CloudBenchRow {
+    std::string technique;
+    double rmse = 0.0, relative_rmse = 0.0, bias = 0.0;           ///< in linear light, display range 1; bias is signed
+    double ms = 0.0, cpu_ms = 0.0;                                ///< of a frame whose view alone is new, median
+    double turns = 0.0, weather = 0.0, noise = 0.0, light = 0.0;  ///< lookups per pixel
+};
+
+/// A pan with reprojection, against full frames of the same moments.
+struct CloudPan {
+    double full_ms = 0.0, ms = 0.0;  ///< median of the frames
+    double full_cpu_ms = 0.0, cpu_ms = 0.0;
+    double rmse_from_full = 0.0;  ///< of the last frame, after 32
+    double rmse_at_rest = 0.0;    ///< after 16 more frames without motion
+    double flicker = 0.0;         ///< deviation of a pixel over 64 frames at rest, RMS
+};
+
+struct CloudBenchScene {
+    std::string preset, view;
+    double reference_seconds = 0.0;
+    std::vector<CloudBenchRow> rows;  ///< the first one has the usual settings
+    CloudPan pan;
+};
+
+struct CloudBench {
+    Machine machine;
+    CloudBenchOptions options;
+    std::vector<CloudBenchScene> scenes;
+};
+
+/// A preset seen from below, from inside or from above the layer.
+scene::Scene cloud_view(scene::CloudType type, const std::string& view);
+
+CloudBench run_cloud_bench(const CloudBenchOptions& options);
+/// clouds.csv, clouds.json and clouds.html.
+void write_cloud_bench(const CloudBench& bench, const std::filesystem::path& folder);
+/// One sentence of a scene: error, time and lookups of the usual settings, and what reprojection does.
+std::string finding(const CloudBenchScene& scene);
+
+}  // namespace bruma::measure

@@ -1,0 +1,115 @@
+#include "render/cloud_history.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "render/view_rays.h"
+
+namespace bruma::render {
+namespace {
+
+/// Pixels of a block in the order of Bayer's matrix.
+constexpr std::array<glm::ivec2, CloudHistory::turns> bayer_order() {
+    constexpr std::array<int, 16> matrix{0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
+    std::array<glm::ivec2, CloudHistory::turns> order{};
+    for (int n = 0; n < 16; ++n) {
+        order[std::size_t(matrix[std::size_t(n)])] = {n % 4, n / 4};
+    }
+    return order;
+}
+
+glm::mat3 world_from_camera(const scene::Camera& camera) {
+    const scene::CameraFrame frame = scene::camera_frame(camera);
+    return glm::mat3(glm::dmat3(frame.right_world, frame.up_world, frame.back_world));
+}
+
+}  // namespace
+
+void make_targets(CloudPicture& picture, glm::ivec2 pixels) {
+    if (!picture.radiance || glm::ivec2(picture.radiance.size()) != pixels) {
+        picture.framebuffer = {};
+        picture.radiance = gl::Texture::make_2d("cloud radiance", GL_RGBA32F, pixels);
+        picture.distance = gl::Texture::make_2d("cloud distance", GL_R32F, pixels);
+        picture.framebuffer = gl::Framebuffer("clouds", {&picture.radiance, &picture.distance});
+    }
+}
+
+glm::ivec2 CloudHistory::offset() const {
+    static constexpr auto order = bayer_order();
+    return order[std::size_t(turn_ % turns)];
+}
+
+CloudPicture& CloudHistory::sparse(glm::ivec2 pixels) {
+    make_targets(sparse_, sparse_size(pixels));
+    return sparse_;
+}
+
+void CloudHistory::begin(const CloudSight& sight) {
+    sight_ = sight;
+    turn_ = missing_ = 0;
+}
+
+void CloudHistory::resolve(gl::ShaderLibrary& shaders, const CloudSight& sight, CloudPicture& picture) {
+    const glm::ivec2 pixels(picture.radiance.size());
+    const glm::ivec2 few = sparse_size(pixels);
+    if (!statistics_.mean || glm::ivec2(statistics_.mean.size()) != few) {
+        statistics_.framebuffer = {};
+        statistics_.mean = gl::Texture::make_2d("cloud mean", GL_RGBA32F, few);
+        statistics_.spread = gl::Texture::make_2d("cloud spread", GL_RGBA32F, few);
+        statistics_.distance = gl::Texture::make_2d("cloud mean distance", GL_R32F, few);
+        statistics_.framebuffer =
+            gl::Framebuffer("cloud statistics", {&statistics_.mean, &statistics_.spread, &statistics_.distance});
+    }
+    make_targets(last_, pixels);
+    std::swap(last_, picture);
+
+    GLuint unit = 0;
+    const auto bind = [&](gl::Program& program, const char* sampler, const gl::Texture& texture) {
+        texture.bind(unit);
+        program.set(sampler, int(unit++));
+    };
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_CULL_FACE);
+    glBindVertexArray(no_vertices_.name());
+
+    gl::Program& count = shaders.get("cloud_statistics.frag");
+    bind(count, "fresh_radiance", sparse_.radiance);
+    bind(count, "fresh_distance", sparse_.distance);
+    statistics_.framebuffer.bind();
+    count.use();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+
+    const bool moved = sight != sight_;
+    gl::Program& program = shaders.get("cloud_resolve.frag");
+    unit = 0;
+    bind(program, "fresh_radiance", sparse_.radiance);
+    bind(program, "fresh_distance", sparse_.distance);
+    bind(program, "fresh_mean", statistics_.mean);
+    bind(program, "fresh_spread", statistics_.spread);
+    bind(program, "fresh_mean_distance", statistics_.distance);
+    bind(program, "last_radiance", last_.radiance);
+    bind(program, "last_distance", last_.distance);
+    const scene::Camera& camera = sight.camera;
+    program.set("pixel_offset", offset());
+    program.set("pixels", glm::vec2(pixels));
+    program.set("orthographic", camera.projection == scene::Projection::orthographic ? 1 : 0);
+    program.set("half_view", glm::vec2(half_view(camera, pixels, 1.0)));
+    program.set("world_from_camera", world_from_camera(camera));
+    program.set("last_camera_from_world", glm::transpose(world_from_camera(sight_.camera)));
+    program.set("last_half_view", glm::vec2(half_view(sight_.camera, pixels, 1.0)));
+    program.set("moved",
+                glm::vec3((camera.eye_world - sight_.camera.eye_world) - (sight.drifted_m - sight_.drifted_m)));
+    program.set("kept_spread", moved ? 1.25F : 0.0F);
+    picture.framebuffer.bind();
+    program.use();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+
+    sight_ = sight;
+    missing_ = moved ? turns : std::max(0, missing_ - 1);
+    ++turn_;
+}
+
+}  // namespace bruma::render
