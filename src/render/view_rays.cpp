@@ -66,6 +66,12 @@ void set_lights(gl::Program& program, const std::vector<scene::Light>& lights, c
         if (scene::has_position(light)) {
             radiance /= unit_world * unit_world;
             toward = (light.position_world - camera.eye_world) / unit_world;
+            // Shaders square distances: from where floats would end, a light stands nearer and shines as much less.
+            constexpr double farthest = 1e18;
+            if (const double nearer = farthest / std::max(farthest, glm::length(toward)); nearer < 1.0) {
+                toward = std::isfinite(glm::length(toward)) ? toward * nearer : glm::dvec3(farthest, 0.0, 0.0);
+                radiance *= nearer * nearer;
+            }
             if (light.kind == scene::LightKind::spot) {
                 const double outer = std::cos(glm::radians(light.spot_angle_deg));
                 const double inner = std::cos(glm::radians(light.spot_angle_deg * (1.0 - light.spot_softness)));

@@ -26,7 +26,7 @@ struct CloudMarch {
     double stop_transmittance = 0.005;
     std::int64_t most_turns = 1024;  ///< of the march; what then remains is one segment
     CloudSunPath sun_path = CloudSunPath::grid;
-    std::int64_t grid_columns = 256;  ///< of the grid, along both edges of the weather map
+    std::int64_t grid_columns = 384;  ///< of the grid, along both edges of the weather map
     std::int64_t grid_slices = 48;
     Jitter jitter = Jitter::off;  ///< steps are short enough for no bands; noise would be grain
     bool reprojection = false;

@@ -48,7 +48,7 @@ class CloudReprojection : public Drawing {
         scene.time.edit([](scene::Timeline& timeline) { timeline.now_s += 1.0 / 30.0; });
     }
 
-    static constexpr glm::ivec2 pixels{160, 90};
+    glm::ivec2 pixels{160, 90};
     scene::Scene scene;
     std::unique_ptr<Renderer> renderer;
 };
@@ -74,15 +74,15 @@ TEST_F(CloudReprojection, AStillViewConvergesToItAndThenDrawsNothing) {
 }
 
 TEST_F(CloudReprojection, ASlowPanStaysNear) {
+    // At the size that 0.03 was asked for; in coarser pixels clouds at the horizon are narrower than they.
+    pixels = {512, 288};
     next();
     for (int n = 0; n < 32; ++n) {
         pan(0.1);
         renderer->render(scene, {pixels, 1.0});
     }
     const double rmse = measure::compare_images(renderer->read_picture(), full()).rmse;
-    // Pixels are half a degree wide here, and clouds at the horizon narrower: what they show there changes with any
-    // turn. Without following the turn the error is 0.1.
-    EXPECT_LE(rmse, 0.04);
+    EXPECT_LE(rmse, 0.03);
     report("RMSE from the full march after 32 frames of a pan", rmse);
 }
 
