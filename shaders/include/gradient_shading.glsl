@@ -10,6 +10,18 @@ struct Surface {
 };
 uniform Surface surface[VOLUMES];
 
+// TWO_SIDED, BLINN_PHONG: true or false for all volumes alike, which saves a choice at each of their segments.
+#ifdef TWO_SIDED
+bool is_two_sided(Surface s) { return TWO_SIDED; }
+#else
+bool is_two_sided(Surface s) { return s.two_sided != 0; }
+#endif
+#ifdef BLINN_PHONG
+bool is_blinn_phong(Surface s) { return BLINN_PHONG; }
+#else
+bool is_blinn_phong(Surface s) { return s.blinn_phong != 0; }
+#endif
+
 struct Reflected {
     vec3 diffuse;    // factor of the surface's colour
     vec3 highlight;
@@ -22,9 +34,9 @@ void reflect_light(Surface s, vec3 toward_light, vec3 irradiance, vec3 normal, v
 {
     float cosine = dot(normal, toward_light);
     float between = dot(toward_light, toward_eye);
-    reflected.diffuse += irradiance * (s.diffuse * (s.two_sided != 0 ? abs(cosine) : max(cosine, 0.0)));
+    reflected.diffuse += irradiance * (s.diffuse * (is_two_sided(s) ? abs(cosine) : max(cosine, 0.0)));
 #ifdef HIGHLIGHTS
-    float aligned = s.blinn_phong != 0 ? (cosine + facing_eye) * inversesqrt(max(2.0 + 2.0 * between, 1e-12))
+    float aligned = is_blinn_phong(s) ? (cosine + facing_eye) * inversesqrt(max(2.0 + 2.0 * between, 1e-12))
                                        : 2.0 * cosine * facing_eye - between;
     // 0 to a power is left to no driver: the logarithm's argument is kept positive, and the factor decides.
     float shine = exp2(s.shininess * log2(max(aligned, 1e-20)));
@@ -52,7 +64,7 @@ SurfacePoint surface_at(int m, vec3 x)
     SurfacePoint point;
     point.shaded = squared_magnitude > 1e-30 ? rise * rise * (3.0 - 2.0 * rise) : 0.0;
     float facing_eye = inverse * dot(gradient, ray_direction_world);
-    float turn = s.two_sided != 0 && facing_eye < 0.0 ? inverse : -inverse;
+    float turn = is_two_sided(s) && facing_eye < 0.0 ? inverse : -inverse;
     point.facing_eye = turn < 0.0 ? facing_eye : -facing_eye;
     point.normal = gradient * turn;
     return point;

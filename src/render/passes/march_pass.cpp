@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "render/blue_noise.h"
 #include "render/view_rays.h"
@@ -151,6 +152,7 @@ gl::Program& MarchPass::program(const PassAccess& access, const Parameters& para
         defines["LIT"] = "";
         count_lights(defines, parameters.lights);
         std::int64_t near_steps = 0;
+        std::set<std::pair<bool, bool>> shadings;  // two-sided, Blinn's highlight
         for (const VolumeInput& input : parameters.volumes) {
             if (scene::scatters(input.optics.lighting)) {
                 defines["SCATTER"] = "";
@@ -160,6 +162,7 @@ gl::Program& MarchPass::program(const PassAccess& access, const Parameters& para
                 }
             }
             if (reflects(input.optics)) {
+                shadings.insert({input.optics.two_sided, input.optics.highlight == scene::Highlight::blinn_phong});
                 defines[scene::scatters(input.optics.lighting) ? "SURFACES" : "REFLECT"] = "";
                 if (input.optics.specular > 0.0) {
                     defines["HIGHLIGHTS"] = "";
@@ -168,6 +171,10 @@ gl::Program& MarchPass::program(const PassAccess& access, const Parameters& para
             if (access.read(input.tables).tables.glows) {
                 defines["GLOW"] = "";
             }
+        }
+        if (shadings.size() == 1) {
+            defines["TWO_SIDED"] = shadings.begin()->first ? "true" : "false";
+            defines["BLINN_PHONG"] = shadings.begin()->second ? "true" : "false";
         }
         if (defines.contains("SCATTER")) {
             defines["NEAR_STEPS"] = std::to_string(near_steps);
