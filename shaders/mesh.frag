@@ -130,6 +130,7 @@ vec3 light_from_within(float facing_eye)
 
 void main()
 {
+    begin_lights();
     ViewRay ray = view_ray();
     vec3 direction = normalize(ray.toward);
     ray_distance = distance_on_ray(ray.start, direction);
