@@ -201,14 +201,14 @@ void render_by_walks(SubsurfaceView& view, const RayMesh& mesh, const Subsurface
     Progress progress(options.progress, double(batches));
     tbb::parallel_for(std::size_t(0), batches, [&](std::size_t batch) {
         sums[batch].assign(view.image.pixel_count(), glm::dvec3(0.0));
-        std::uint64_t stream = 0;
+        std::uint32_t stream = 0;
         for (const BodyLight& light : lights) {
             for (int c = 0; c < 3; ++c, ++stream) {
                 const SubsurfaceChannel channel = medium.channel(c);
                 for (std::uint64_t n = 0; n < per_batch && light.strength[c] > 0.0; ++n) {
-                    CounterRandom random(options.seed + 0x1000003U * stream, batch * per_batch + n);
-                    const double u = random.next();
-                    const PhotonStart start = photon_start(mesh, light, u, random.next());
+                    RandomStream random(options.seed, stream, batch * per_batch + n);
+                    const double u = random.uniform();
+                    const PhotonStart start = photon_start(mesh, light, u, random.uniform());
                     const auto entry = mesh.first_hit(start.origin, start.direction);
                     const double cosine = entry ? -glm::dot(start.direction, entry->geometric_normal) : 0.0;
                     if (cosine <= 0.0) {

@@ -3,14 +3,14 @@
 
 #include "drawing.h"
 #include "gl/buffer.h"
-#include "reference/counter_random.h"
 #include "reference/dipole.h"
+#include "reference/random.h"
 
 namespace bruma::render {
 namespace {
 
 using reference::Bssrdf;
-using reference::CounterRandom;
+using reference::RandomStream;
 using reference::SubsurfaceMedium;
 using reference::SubsurfaceModel;
 using reference::SurfacePoint;
@@ -158,21 +158,21 @@ double sum_of_terms(const Case& c, int channel, glm::dvec3 omega_12) {
 
 TEST_F(SubsurfaceShader, AgreesWithTheReferenceOnRandomConfigurations) {
     std::vector<Case> cases;
-    CounterRandom random(9, 0);
+    RandomStream random(9, 0, 0);
     const auto direction = [&] {
-        const double z = 2.0 * random.next() - 1.0;
-        const double phi = 6.283185307179586 * random.next();
+        const double z = 2.0 * random.uniform() - 1.0;
+        const double phi = 6.283185307179586 * random.uniform();
         const double s = std::sqrt(1.0 - z * z);
         return glm::vec3(glm::normalize(glm::dvec3(s * std::cos(phi), s * std::sin(phi), z)));
     };
     for (int n = 0; n < 20000; ++n) {
         Case c;
-        const auto log_between = [&](double low, double high) { return low * std::pow(high / low, random.next()); };
+        const auto log_between = [&](double low, double high) { return low * std::pow(high / low, random.uniform()); };
         for (int k = 0; k < 3; ++k) {
             // Rounded first, so that the constants of both sides mean the same medium.
             c.medium.sigma_s[k] = float(log_between(0.05, 10.0));
             c.medium.sigma_a[k] = float(log_between(1e-4, 1.0));
-            c.medium.g[k] = n % 2 == 0 ? 0.0 : double(float(0.9 * random.next()));
+            c.medium.g[k] = n % 2 == 0 ? 0.0 : double(float(0.9 * random.uniform()));
         }
         c.medium.eta = n % 3 == 0 ? 1.5 : 1.3;
         c.n_i = direction();

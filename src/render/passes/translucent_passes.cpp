@@ -42,6 +42,7 @@ std::vector<MapCamera> cameras_of(const BodyLamp& lamp, const std::vector<glm::d
         return {perspective_camera(points, lamp.position, size)};
     }
     std::vector<MapCamera> cube;
+    cube.reserve(6);
     for (int face = 0; face < 6; ++face) {
         cube.push_back(cube_camera(lamp.position, face, radius, size));
     }
