@@ -178,7 +178,10 @@ void render_by_quadrature(SubsurfaceView& view, const RayMesh& mesh, const Subsu
             eye.hit(mesh, int(n % std::size_t(view.image.width)), int(n / std::size_t(view.image.width)), direction);
         if (hit) {
             const QuadratureResult result = quadrature.at({hit->position, hit->shading_normal});
-            const double t_21 = fresnel_transmittance(-glm::dot(direction, hit->shading_normal), medium.eta);
+            // Where a triangle's normals turn away from the eye and the triangle does not, it stands for an outline.
+            const double facing = std::max(-glm::dot(direction, hit->shading_normal),
+                                           std::min(0.1, std::abs(glm::dot(direction, hit->geometric_normal))));
+            const double t_21 = fresnel_transmittance(facing, medium.eta);
             add_pixel(view, n, t_21 * result.value, t_21 * result.error);
             evaluations += result.evaluations;
         }
@@ -229,8 +232,8 @@ void render_by_walks(SubsurfaceView& view, const RayMesh& mesh, const Subsurface
                     if (facing <= 0.0 || mesh.blocked(walk.position, place->to_eye, place->distance)) {
                         continue;
                     }
-                    const double flux = light.strength[c] * start.weight / double(per_batch) * walk.weight *
-                                        fresnel_transmittance(cosine, medium.eta);
+                    const double flux = light.strength[c] * share_towards(light, -start.direction) * start.weight /
+                                        double(per_batch) * walk.weight * fresnel_transmittance(cosine, medium.eta);
                     sums[batch][place->pixel][c] += flux * place->pixels_per_area * facing * per_exitance *
                                                     fresnel_transmittance(facing, medium.eta);
                 }
@@ -258,8 +261,9 @@ void render_by_walks(SubsurfaceView& view, const RayMesh& mesh, const Subsurface
 BodyLight body_light(const scene::Light& light, const scene::Camera& camera) {
     BodyLight body;
     body.strength = light.on ? light.color * light.intensity : glm::dvec3(0.0);
-    if (light.kind == scene::LightKind::point) {
+    if (scene::has_position(light)) {
         body.directional = false;
+        body.spot = light.kind == scene::LightKind::spot ? std::optional(light) : std::nullopt;
         body.position = light.position_world * mm_per_m;
         body.strength *= mm_per_m * mm_per_m;  // given at 1 m
     } else if (light.kind == scene::LightKind::headlight) {
