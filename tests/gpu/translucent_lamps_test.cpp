@@ -10,9 +10,9 @@ namespace {
 class TranslucentLamps : public Drawing {
   protected:
     /// Each pixel by itself, so that nothing but lamps and points of entry is tested.
-    Image draw_each_pixel(const scene::Scene& scene, glm::ivec2 pixels) {
+    Image draw_each_pixel(const scene::Scene& scene, glm::ivec2 pixels, int passes = passes_of_each_pixel) {
         Renderer renderer(shaders());
-        renderer.render(scene, view_of(pixels, passes_of_each_pixel));
+        renderer.render(scene, view_of(pixels, passes));
         Image image = renderer.read_picture();
         EXPECT_TRUE(all_finite(image));
         return image;
@@ -36,7 +36,7 @@ TEST_F(TranslucentLamps, AFarPointLampIsADirectionalOne) {
     const glm::dvec3 color(1.0, 0.8, 0.6);
     const glm::ivec2 pixels(16, 16);
     scene.lights.at("key") = scene::Light{.direction_world = toward, .color = color};
-    const Image parallel = draw_each_pixel(scene, pixels);
+    const Image parallel = draw_each_pixel(scene, pixels, 8);
     // Radii of 10 mm: seen in one view, as near as it goes before that; and so far that floats would lose its place.
     for (const double distance_m : {50.0, 1e6}) {
         for (const scene::LightKind kind : {scene::LightKind::point, scene::LightKind::spot}) {
@@ -45,7 +45,7 @@ TEST_F(TranslucentLamps, AFarPointLampIsADirectionalOne) {
                                                   .position_world = distance_m * toward,
                                                   .color = color,
                                                   .intensity = std::numbers::pi * distance_m * distance_m};
-            const Apart far = apart(draw_each_pixel(scene, pixels), parallel);
+            const Apart far = apart(draw_each_pixel(scene, pixels, 8), parallel);
             report("lamp " + std::to_string(distance_m) + " m away", far);
             // The same points are drawn; 50 m away directions and distances differ by 4e-4 over the ball, and points
             // that lie near the border of a texel of the lamp's view fall into the next one.
@@ -103,10 +103,10 @@ TEST_F(TranslucentLamps, ASpotLightsTheInsideOfItsConeAlone) {
     scene.camera = parallel_camera_around(scene, {0.0, 0.0, 1.0});
     const glm::ivec2 pixels(33, 33);
     scene.lights.at("key") = lamp;
-    const Image spot = draw_each_pixel(scene, pixels);
+    const Image spot = draw_each_pixel(scene, pixels, 32);
     lamp.kind = scene::LightKind::point;
     scene.lights.at("key") = lamp;
-    const Image point = draw_each_pixel(scene, pixels);  // with the same random points
+    const Image point = draw_each_pixel(scene, pixels, 32);  // with the same random points
     int inside = 0, fading = 0, dark = 0;
     for (int y = 0; y < pixels.y; ++y) {
         for (int x = 0; x < pixels.x; ++x) {
