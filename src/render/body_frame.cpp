@@ -34,7 +34,9 @@ glm::dmat3 rotation_of(const glm::dmat3& linear) {
 /// Widens the view by `spare_texels` on each side and says how large a texel
 /// then is.
 void spare(MapCamera& camera, int size) {
-    const glm::dvec2 extent = glm::max(camera.high - camera.low, glm::dvec2(1e-6 * (camera.depth + 1e-30)));
+    // No narrower than a millionth of how deep the body is; across a perspective view lengths are tangents.
+    const double unit = camera.perspective ? std::max(camera.near_depth + camera.depth, 1e-30) : 1.0;
+    const glm::dvec2 extent = glm::max(camera.high - camera.low, glm::dvec2(1e-6 * (camera.depth + 1e-30) / unit));
     const glm::dvec2 margin = extent * (spare_texels / std::max(1.0, size - 2.0 * spare_texels));
     const glm::dvec2 middle = 0.5 * (camera.low + camera.high);
     camera.low = middle - 0.5 * extent - margin;
@@ -71,6 +73,22 @@ BodyLamp body_lamp(const scene::Light& light, const BodyFrame& frame, glm::dvec3
         lamp.cone = {outer, 1.0 / std::max(inner - outer, 1e-6)};
     }
     return lamp;
+}
+
+std::optional<double> take_for_parallel(BodyLamp& lamp, const scene::Light& light, double radius) {
+    constexpr double far_away = 1e4;
+    const glm::dvec3 p = lamp.position;
+    const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    if (!lamp.has_position || !(largest > far_away * radius)) {
+        return std::nullopt;
+    }
+    // Of this size squares stay finite however far the lamp is.
+    const glm::dvec3 shrunk = p / largest;
+    const glm::dvec3 toward = glm::normalize(shrunk);
+    const double share =
+        light.kind == scene::LightKind::spot ? scene::spot_share(light, glm::dot(toward, lamp.axis)) : 1.0;
+    lamp = BodyLamp{.toward = toward};
+    return share / glm::dot(shrunk, shrunk) / largest / largest;
 }
 
 glm::dmat4 MapCamera::clip_from_body() const {

@@ -191,6 +191,7 @@ std::optional<TranslucentStanding> Renderer::translucent_standing() const {
         if (const RadiosityMaps* const maps = passes->standing()) {
             standing.passes = std::min(standing.passes, maps->passes);
             standing.noise = std::max(standing.noise, maps->noise);
+            standing.evaluations += maps->evaluations;
             standing.settled = standing.settled && passes->settled();
         }
     }

@@ -131,9 +131,13 @@ void TranslucentPasses::update(const scene::Mesh& mesh, const glm::dmat4& world_
         reads.insert(reads.end(), {occluder.triangles.index, occluder.buffers.index});
     }
     graph_.set_reads(light_, reads);
+    const scene::TriangleMesh& triangles = **mesh.triangles;
+    const double radius = 0.5 * glm::length(shown_.frame.body_from_model * (triangles.high - triangles.low));
     for (const scene::Light& lamp : lights) {
-        light.lamps.push_back(body_lamp(lamp, shown_.frame, camera_back_world));
-        shown_.powers.push_back(lamp.color * lamp.intensity * (scene::has_position(lamp) ? mm2_per_m2 : 1.0));
+        BodyLamp& seen = light.lamps.emplace_back(body_lamp(lamp, shown_.frame, camera_back_world));
+        const double far_share = take_for_parallel(seen, lamp, radius).value_or(1.0);
+        shown_.powers.push_back(lamp.color * lamp.intensity * (scene::has_position(lamp) ? mm2_per_m2 : 1.0) *
+                                far_share);
     }
     graph_.set_parameters(light_, light);
     graph_.set_execute(light_, [this, light](const PassAccess& access) { draw_light_maps(access, light); });
@@ -142,7 +146,8 @@ void TranslucentPasses::update(const scene::Mesh& mesh, const glm::dmat4& world_
     graph_.set_parameters(exits_, exits);
     graph_.set_execute(exits_, [this, exits](const PassAccess& access) { draw_exit_maps(access, exits); });
 
-    graph_.set_parameters(begin_, StartParameters{medium, settings.model, int(settings.samples), shown_.powers});
+    graph_.set_parameters(
+        begin_, StartParameters{medium, settings.model, settings.sampling, int(settings.samples), shown_.powers});
     const RadiosityMaps* const standing = graph_.product(shown_.radiosity);
     turn_ += standing != nullptr && !settled() && standing->passes < goal.samples ? 1 : 0;
     graph_.set_parameters(gather_, turn_);
@@ -280,6 +285,9 @@ gl::Defines TranslucentPasses::defines_of(const LightMaps& light, const Shown& s
     if (shown.settings.model == scene::SubsurfaceModel::standard_dipole) {
         defines["STANDARD_DIPOLE"] = "";
     }
+    if (shown.settings.sampling == scene::SubsurfaceSampling::exponential_disk) {
+        defines["EXPONENTIAL_DISK"] = "";
+    }
     if (std::any_of(light.lamps.begin(), light.lamps.end(),
                     [](const LightMaps::Drawn& lamp) { return lamp.cameras.size() > 1; })) {
         defines["CUBE_LAMPS"] = "";
@@ -376,6 +384,7 @@ void TranslucentPasses::gather(const PassAccess& access, const Shown& shown, con
         }
         out.passes = 0;
         out.next_map = 0;
+        out.evaluations = 0;
         out.noise = 1e30;
         out.start = start;
     }
@@ -413,6 +422,7 @@ void TranslucentPasses::gather(const PassAccess& access, const Shown& shown, con
             program.set("first_texel", first);
             program.set("past_texel", past);
             glDispatchCompute(groups_of(past - first), 1, 1);
+            out.evaluations += std::uint64_t(past - first) * std::uint64_t(samples) * light.lamps.size();
             ++out.next_map;
             if (goal.budget_ms > 0.0) {
                 glFinish();
