@@ -116,19 +116,23 @@ std::string finding_noise(const std::vector<SamplingNoise>& noise, const std::st
             cut[1] = std::max(cut[1], one.over_cut_disk());
         }
     }
+    const auto times = [](double value) {
+        return fmt::format(fmt::runtime(value < 10.0 ? "{:.1f}" : "{:.0f}"), value);
+    };
     const double wanted = is_lit ? most_wanted_lit : most_wanted_behind;
     const auto verdict = [wanted](double least) { return least >= wanted ? "at least" : "not everywhere"; };
     return fmt::format(
-        "{}, {}: for the same noise {:.3g} to {:.3g} times fewer evaluations than the published disk ({} the {:g} "
-        "wanted), {:.3g} to {:.3g} times fewer than that disk cut at the body ({} {:g})",
-        material, is_lit ? "lit side" : "behind", published[0], published[1], verdict(published[0]), wanted, cut[0],
-        cut[1], verdict(cut[0]), wanted);
+        "{}, {}: for the same noise {} to {} times fewer evaluations than the published disk ({} the {:g} wanted), {} "
+        "to "
+        "{} times fewer than that disk cut at the body ({} {:g})",
+        material, is_lit ? "lit side" : "behind", times(published[0]), times(published[1]), verdict(published[0]),
+        wanted, times(cut[0]), times(cut[1]), verdict(cut[0]), wanted);
 }
 
 std::string finding_race(const SamplingRace& race) {
     return fmt::format(
         "{}, {}, through all passes: with {:.3g} M evaluations each, noise {:.2g} beside {:.2g} with the cut disk, "
-        "which makes {:.3g} times fewer for the same",
+        "which makes {:.0f} times fewer for the same",
         race.material, race.place, 1e-6 * double(race.evaluations), race.ours, race.disk, race.ratio());
 }
 

@@ -126,9 +126,10 @@ std::string sampling_section(const MeshBench& bench) {
         "deviates. Compared are this program's densities (a core as narrow as the model's peak with a tail as long as "
         "its reach; behind the body another one) and the exponential disk that was published with the maps, as it is "
         "and cut at the body's diameter. Deviations are integrals in double precision, without chance, for a "
-        "half-space and for a ball of 10 mm radius; the bars of the renderer are pictures drawn with both. In "
-        "brackets: "
-        "beside the disk that is not cut. Bars show green light.</p>\n<ul>\n";
+        "half-space and for a ball of 10 mm radius; the bars of the renderer are pictures drawn with both, "
+        "whose points are spread evenly instead of left to chance, which helps smooth estimates more. In brackets: "
+        "beside "
+        "the disk that is not cut. Bars show green light.</p>\n<ul>\n";
     for (const std::string material : {"cream", "marble"}) {
         for (const bool is_lit : {true, false}) {
             text += "<li>" + html_text(finding_noise(bench.noise, material, is_lit)) + ".</li>\n";

@@ -160,8 +160,7 @@ void MeshCases::sound(const std::string& name, const std::string& what, const st
             }
             brightest = std::max(brightest, brightest_of(rig_.draw(drawn)));
         };
-        for (const auto shading :
-             {scene::MeshShading::lambert, scene::MeshShading::phong, scene::MeshShading::blinn_phong}) {
+        for (const auto shading : {scene::MeshShading::phong, scene::MeshShading::blinn_phong}) {
             judge([&](scene::Mesh& mesh) {
                 mesh.surface.edit([&](scene::MeshSurface& surface) { surface.shading = shading; });
             });

@@ -54,9 +54,18 @@ void stress_mesh_lamps(MeshCases& cases) {
         any);
     // A lamp as far as this many radii differs from parallel light by twice its inverse.
     const Light parallel{.direction_world = way};
-    for (const double metres : {1e3, 1e6, 1e9, 1e12, 1e15}) {
-        cases.same(fmt::format("far-{:g}m", metres), "against parallel light, a share of the brightest", 0.02,
-                   under(parallel), under(lamp_at(metres * way)));
+    for (const bool translucent : {true, false}) {
+        const auto shaded = [translucent](scene::Scene scene) {
+            stress_mesh(scene).surface.edit([&](scene::MeshSurface& surface) {
+                surface.shading = translucent ? scene::MeshShading::translucent : scene::MeshShading::blinn_phong;
+            });
+            return scene;
+        };
+        for (const double metres : {10.0, 100.0, 1e3, 1e6, 1e9, 1e12, 1e15}) {
+            cases.same(fmt::format("far-{:g}m-{}", metres, translucent ? "translucent" : "opaque"),
+                       "against parallel light, a share of the brightest", 0.02, shaded(under(parallel)),
+                       shaded(under(lamp_at(metres * way))));
+        }
     }
     for (const double metres : {1e30, 1e150, 1e300}) {
         cases.sound(fmt::format("far-{:g}m", metres), "so far that nothing arrives", [&] {

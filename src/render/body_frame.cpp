@@ -75,22 +75,6 @@ BodyLamp body_lamp(const scene::Light& light, const BodyFrame& frame, glm::dvec3
     return lamp;
 }
 
-std::optional<double> take_for_parallel(BodyLamp& lamp, const scene::Light& light, double radius) {
-    constexpr double far_away = 1e4;
-    const glm::dvec3 p = lamp.position;
-    const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    if (!lamp.has_position || !(largest > far_away * radius)) {
-        return std::nullopt;
-    }
-    // Of this size squares stay finite however far the lamp is.
-    const glm::dvec3 shrunk = p / largest;
-    const glm::dvec3 toward = glm::normalize(shrunk);
-    const double share =
-        light.kind == scene::LightKind::spot ? scene::spot_share(light, glm::dot(toward, lamp.axis)) : 1.0;
-    lamp = BodyLamp{.toward = toward};
-    return share / glm::dot(shrunk, shrunk) / largest / largest;
-}
-
 glm::dmat4 MapCamera::clip_from_body() const {
     const glm::dvec2 scale = 2.0 / (high - low);
     const glm::dvec2 middle = 0.5 * (low + high);

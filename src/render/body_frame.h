@@ -1,7 +1,6 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,11 +30,6 @@ struct BodyLamp {
 };
 /// `camera_back_world`, unit, is where a headlight shines from.
 BodyLamp body_lamp(const scene::Light& light, const BodyFrame& frame, glm::dvec3 camera_back_world);
-
-/// Takes a lamp that is more than 10^4 radii (mm) away for parallel light: its rays then differ by less than floats at
-/// such a distance can tell apart points of the body. Returns what its intensity is to be multiplied by, 1/mm^2, or
-/// nothing for a lamp that is nearer or has no position.
-std::optional<double> take_for_parallel(BodyLamp& lamp, const scene::Light& light, double radius);
 
 /// A camera around a body: parallel rays along -back, or rays from `eye`. Coordinates across the view are mm, or
 /// tangents.

@@ -114,7 +114,7 @@ int bench_mesh(const BenchArguments& arguments, const std::vector<std::string>& 
         scenes.resize(1);
         options.frame_pixels = {128, 128};
         options.photons = 20'000;
-        options.reference_tolerance = 2e-2;
+        options.reference_tolerance = 5e-2;
     }
     for (const std::string& file : arguments.scene.files) {
         scenes.push_back({scene_name(file), open_one(arguments, file)});

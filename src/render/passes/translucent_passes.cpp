@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/log.h"
+#include "render/far_lamps.h"
 
 namespace bruma::render {
 namespace {
@@ -132,12 +133,12 @@ void TranslucentPasses::update(const scene::Mesh& mesh, const glm::dmat4& world_
     }
     graph_.set_reads(light_, reads);
     const scene::TriangleMesh& triangles = **mesh.triangles;
-    const double radius = 0.5 * glm::length(shown_.frame.body_from_model * (triangles.high - triangles.low));
-    for (const scene::Light& lamp : lights) {
-        BodyLamp& seen = light.lamps.emplace_back(body_lamp(lamp, shown_.frame, camera_back_world));
-        const double far_share = take_for_parallel(seen, lamp, radius).value_or(1.0);
-        shown_.powers.push_back(lamp.color * lamp.intensity * (scene::has_position(lamp) ? mm2_per_m2 : 1.0) *
-                                far_share);
+    const double radius_m =
+        0.5 * glm::length(shown_.frame.body_from_model * (triangles.high - triangles.low)) / mm_per_m;
+    for (const scene::Light& given : lights) {
+        const scene::Light lamp = parallel_from_afar(given, shown_.frame.middle_world, radius_m).value_or(given);
+        light.lamps.push_back(body_lamp(lamp, shown_.frame, camera_back_world));
+        shown_.powers.push_back(lamp.color * lamp.intensity * (scene::has_position(lamp) ? mm2_per_m2 : 1.0));
     }
     graph_.set_parameters(light_, light);
     graph_.set_execute(light_, [this, light](const PassAccess& access) { draw_light_maps(access, light); });
