@@ -95,7 +95,7 @@ struct Settings {
     std::vector<int> maps, sizes, passes;
 };
 Settings settings_of(const MeshBenchOptions& options) {
-    return options.quick ? Settings{{4, 8}, {32, 64}, {1, 8}} : Settings{{4, 8, 16}, {64, 128, 256}, {1, 4, 16}};
+    return options.quick ? Settings{{4, 8}, {32, 64}, {1, 8}} : Settings{{4, 8, 16}, {32, 64, 128}, {1, 4, 16}};
 }
 
 /// Draws one body again and again. Blinn-Phong frames alternate with those that are compared to them, so that whatever

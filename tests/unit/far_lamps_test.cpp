@@ -17,7 +17,7 @@ const glm::dvec3 way = glm::normalize(glm::dvec3(0.3, 0.5, -0.8));
 TEST(FarLamps, AreParallelLightOfTheSameIrradiance) {
     const glm::dvec3 middle(1.0, -2.0, 3.0);
     scene::Light lamp{.kind = scene::LightKind::point, .intensity = 7.0};
-    for (const double distance : {1.1e4, 1e9, 1e200}) {
+    for (const double distance : {2e4, 1e9, 1e200}) {
         lamp.position_world = middle + distance * way;
         const auto parallel = parallel_from_afar(lamp, middle, 1.0);
         ASSERT_TRUE(parallel);
