@@ -27,6 +27,7 @@ void main()
 #include "include/subsurface.glsl"
 #ifdef FROM_POINTS
 #include "include/subsurface_entry.glsl"
+uniform int entry_turns;  // how often `entry_samples` points are drawn
 #else
 uniform SubsurfaceMedium medium;
 #include "include/exit_maps.glsl"
@@ -102,7 +103,16 @@ void add_light(Incident incident, vec3 normal, vec3 toward_eye, float facing_eye
 }
 
 #ifdef TRANSLUCENT
-vec3 light_from_within(float facing_eye)
+// At outlines the normals of coarse triangles may turn away from the eye while the triangle does not: of a smooth surface
+// no point that is seen does, and what leaves it is not black.
+float facing_of_seen(float facing_eye, vec3 direction)
+{
+    vec3 plane = cross(dFdx(point_camera), dFdy(point_camera));
+    float facet = abs(dot(plane, direction)) * inversesqrt(max(dot(plane, plane), 1e-36));
+    return max(facing_eye, min(facet, 0.1));
+}
+
+vec3 light_from_within(float passing)
 {
     vec3 facet = cross(dFdx(position_body), dFdy(position_body));
     float squared = dot(normal_body, normal_body);
@@ -115,21 +125,25 @@ vec3 light_from_within(float facing_eye)
 #ifdef FROM_POINTS
     vec4 inside = vec4(0.0);
     for (int lamp = 0; lamp < lamp_count; ++lamp) {
-        vec2 shift = random_units(uvec2(gl_FragCoord.xy), 0u, uint(lamp)).xy;
-        inside.rgb += light_from_inside(lamp, position_body, n_o, shift);
+        for (int turn = 0; turn < entry_turns; ++turn) {
+            vec2 shift = random_units(uvec2(gl_FragCoord.xy), uint(turn), uint(lamp)).xy;
+            inside.rgb += light_from_inside(lamp, position_body, n_o, shift);
+        }
     }
+    inside.rgb /= float(entry_turns);
 #else
     vec4 inside = light_from_maps(position_body, n_o, facet);
-    if (inside.w < 1e-3) {
-        discard;  // no map sees it
+    if (inside.w < seen_well) {
+        discard;  // left to FROM_POINTS
     }
 #endif
-    return fresnel_transmittance(facing_eye, medium.eta) * inside.rgb;
+    return passing * inside.rgb;
 }
 #endif
 
 void main()
 {
+    begin_lights();
     ViewRay ray = view_ray();
     vec3 direction = normalize(ray.toward);
     ray_distance = distance_on_ray(ray.start, direction);
@@ -161,9 +175,9 @@ void main()
         add_light(incident, normal, toward_eye, facing_eye, reflected, mirrored);
     }
 #ifdef TRANSLUCENT
-    float passing = fresnel_transmittance(facing_eye, medium.eta);
+    float passing = fresnel_transmittance(facing_of_seen(facing_eye, direction), medium.eta);
     vec3 picture = textured != 0 ? texture(diffuse_texture, coordinate).xyz : vec3(1.0);
-    vec3 within = light_from_within(facing_eye) + passing * diffuse_reflectance * around;
+    vec3 within = light_from_within(passing) + passing * diffuse_reflectance * around;
     vec3 shine = specular * mirrored + (1.0 - passing) * around;
     if (see_through != 0) {
         // Not bent at the surface; what it is bent to looks the same where the surroundings do on all sides.

@@ -5,8 +5,11 @@ uniform sampler2DArray exit_depth;
 uniform sampler2DArray radiosity;
 uniform int exit_count;
 
-// Mean of R over the maps that see x_o, each filtered over 3 x 3 texels of this very surface; w: how well it is seen.
-// `facet` is the normal of the surface as it was drawn.
+// Below this, what maps say is too coarse: one of them sees the point, slantingly or past an edge.
+const float seen_well = 0.02;
+
+// Mean of R over the maps that see x_o, each filtered over 3 x 3 texels of this very surface; w: how well it is seen,
+// at most 1. `facet` is the normal of the surface as it was drawn.
 vec4 light_from_maps(vec3 x_o, vec3 n_o, vec3 facet)
 {
     vec4 sum = vec4(0.0);
@@ -39,8 +42,9 @@ vec4 light_from_maps(vec3 x_o, vec3 n_o, vec3 facet)
                 seen += wx[offset.x + 1] * wy[offset.y + 1] * vec4(texelFetch(radiosity, at, 0).rgb, 1.0);
             }
         }
+        // Slanting texels smear far over the surface; with neighbours on one side only there is no mean, only a guess.
         float facing = cosine - 0.08;
-        sum += facing * facing * seen;
+        sum += facing * facing * seen.w * seen;
     }
     return vec4(sum.rgb / max(sum.w, 1e-20), sum.w);
 }

@@ -8,7 +8,8 @@ struct Surface {
     float soft_from;           // gradient magnitude in data ranges per smallest voxel edge
     float soft_inverse_width;
 };
-uniform Surface surface[VOLUMES];
+uniform Surface surface_uniforms[VOLUMES];
+Surface surfaces[VOLUMES];
 
 // TWO_SIDED, BLINN_PHONG: true or false for all volumes alike, which saves a choice at each of their segments.
 #ifdef TWO_SIDED
@@ -53,9 +54,9 @@ struct SurfacePoint {
 
 SurfacePoint surface_at(int m, vec3 x)
 {
-    Surface s = surface[m];
-    vec3 texel = textureLod(gradients[m], x, 0.0).xyz - gradient_zero[m];
-    vec3 gradient = world_from_gradient[m] * texel;
+    Surface s = surfaces[m];
+    vec3 texel = textureLod(gradients[m], x, 0.0).xyz - constants[m].gradient_zero;
+    vec3 gradient = constants[m].world_from_gradient * texel;
     float squared_magnitude = dot(gradient, gradient);
     float inverse = inversesqrt(max(squared_magnitude, 1e-30));
     float magnitude = squared_magnitude * inverse;
@@ -74,7 +75,7 @@ SurfacePoint surface_at(int m, vec3 x)
 // source radiance times that weight.
 vec3 reflected_source(int m, vec3 color, float weight, float t)
 {
-    Surface s = surface[m];
+    Surface s = surfaces[m];
 #if VOLUMES > 1
     if (s.soft_from >= 1e30) {
         return color;  // an unlit volume beside lit ones

@@ -9,7 +9,17 @@ struct Light {
 // Directional lights first, then point lights; the counts are compiled in, since a loop of unknown length around so few
 // operations costs a software renderer more than the operations.
 const int light_count = DIRECTIONAL_LIGHTS + POINT_LIGHTS;
-uniform Light lights[light_count + 1];
+uniform Light light_uniforms[light_count + 1];
+Light lights[light_count + 1];
+
+// Before any other: see VolumeConstants for why there are two.
+void begin_lights()
+{
+    for (int n = 0; n < light_count; ++n) {
+        lights[n] = light_uniforms[n];
+    }
+}
+
 
 vec3 ray_direction_world = vec3(0.0);  // unit
 vec3 ray_origin_steps = vec3(0.0);     // origin of this ray relative to the camera, in steps

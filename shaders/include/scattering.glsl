@@ -8,13 +8,6 @@
 // The grids of all lights are stacked along z in one texture: indexing samplers by light is beyond some drivers.
 uniform sampler3D direct_light[VOLUMES];
 uniform sampler3D diffuse_light[VOLUMES];
-uniform vec2 half_cell[VOLUMES];                // along z of the two grids, as a share of one of them
-uniform vec3 grid_from_texture_scale[VOLUMES];  // texture space -> [0,1] over the light grid
-uniform vec3 grid_from_texture_shift[VOLUMES];
-uniform vec3 light_cells[VOLUMES];              // cells of the light grid per unit of texture space
-uniform mat3 texture_from_world[VOLUMES];       // texture space per step
-uniform float asymmetry[VOLUMES];               // g
-uniform int scatter_kind[VOLUMES];              // 0: not a scattering volume, 1: physical, 2: chromaticity
 const float near_cells = NEAR_STEPS > 0 ? 1.5 : 0.5;
 
 // A place in the grid of light n, within its slab of the stack.
@@ -34,8 +27,8 @@ struct Arriving {
 
 Arriving arriving_light(int m, int n, vec3 x, Incident incident)
 {
-    vec3 way = texture_from_world[m] * incident.toward;
-    vec3 cells_per_step = abs(way) * light_cells[m];
+    vec3 way = constants[m].texture_from_world * incident.toward;
+    vec3 cells_per_step = abs(way) * constants[m].light_cells;
     float rate = max(max(cells_per_step.x, cells_per_step.y), max(cells_per_step.z, 1e-20));
     vec3 room = mix(x - ray_volumes[m].low, ray_volumes[m].high - x, greaterThan(way, vec3(0.0)));
     vec3 exits = max(room, 0.0) / max(abs(way), vec3(1e-20));
@@ -47,12 +40,12 @@ Arriving arriving_light(int m, int n, vec3 x, Incident incident)
     for (int k = 0; k < NEAR_STEPS; ++k) {
         arriving.depth += sigma_at(m, x + way * (reach * ((float(k) + 0.5) / float(NEAR_STEPS))));
     }
-    arriving.depth *= (reach / float(NEAR_STEPS)) * tau_scale[m];
+    arriving.depth *= (reach / float(NEAR_STEPS)) * constants[m].tau_scale;
 #endif
-    arriving.lookup = (x + way * reach) * grid_from_texture_scale[m] + grid_from_texture_shift[m];
+    arriving.lookup = (x + way * reach) * constants[m].grid_from_texture_scale + constants[m].grid_from_texture_shift;
     // Cells at the border hold light from inside of them: over their outer half it is led to what comes from outside.
     arriving.beyond = 2.0 * rate * (outside - reach);
-    float direct = textureLod(direct_light[m], in_stack(arriving.lookup, n, half_cell[m].x), 0.0).x;
+    float direct = textureLod(direct_light[m], in_stack(arriving.lookup, n, constants[m].half_cell.x), 0.0).x;
     arriving.direct = mix(1.0, direct, clamp(arriving.beyond, 0.0, 1.0));
     return arriving;
 }
@@ -74,9 +67,9 @@ vec3 scattered_source(int m, vec3 color, float weight, float t)
         vec3 chromaticity = vec3(1.0);
         vec3 diffuse = vec3(0.0);
 #ifdef DIFFUSE_LIGHT
-        vec3 beside = textureLod(diffuse_light[m], in_stack(arriving.lookup, n, half_cell[m].y), 0.0).xyz;
-        float inside = clamp(arriving.beyond * half_cell[m].x / half_cell[m].y, 0.0, 1.0);
-        if (scatter_kind[m] == 2) {
+        vec3 beside = textureLod(diffuse_light[m], in_stack(arriving.lookup, n, constants[m].half_cell.y), 0.0).xyz;
+        float inside = clamp(arriving.beyond * constants[m].half_cell.x / constants[m].half_cell.y, 0.0, 1.0);
+        if (constants[m].scatter_kind == 2) {
             chromaticity = mix(vec3(1.0), 4.0 * beside, inside);
         } else {
             beside *= inside;
@@ -88,13 +81,13 @@ vec3 scattered_source(int m, vec3 color, float weight, float t)
 #endif
         // Times 4 pi, since irradiance is over pi: p E = phase / 4 * (E / pi).
         float phase = 1.0;
-        if (scatter_kind[m] != 2) {
-            phase = 12.5663706143592 * phase_function(dot(incident.toward, ray_direction_world), asymmetry[m]);
+        if (constants[m].scatter_kind != 2) {
+            phase = 12.5663706143592 * phase_function(dot(incident.toward, ray_direction_world), constants[m].asymmetry);
         }
         vec3 by_phase = 0.25 * incident.irradiance * (phase * direct * chromaticity + diffuse);
 #ifdef SURFACES
         Reflected reflected = Reflected(vec3(0.0), vec3(0.0));
-        reflect_light(surface[m], incident.toward, incident.irradiance * direct, point.normal, -ray_direction_world,
+        reflect_light(surfaces[m], incident.toward, incident.irradiance * direct, point.normal, -ray_direction_world,
                       point.facing_eye, reflected);
         light += mix(by_phase, reflected.diffuse + 0.25 * incident.irradiance * diffuse, point.shaded);
         reflected_light += point.shaded * reflected.highlight;

@@ -15,15 +15,30 @@ struct Volume {
     vec3 direction;       // texture space per step
     vec3 low, high;       // what is shown, texture space
 };
-uniform vec2 u_from_voxel[VOLUMES];        // u = x * texel + y
-uniform vec2 optics_from_voxel[VOLUMES];   // coordinate in optics_table = x * texel + y
-uniform vec2 optics_visible[VOLUMES];      // no extinction outside of these two coordinates
-uniform vec2 u_visible[VOLUMES];           // the same in u
-uniform float tau_scale[VOLUMES];          // optical depth per step and per unit of sigma in the tables
-uniform vec3 cells_from_texture[VOLUMES];  // macrocells along each axis, fractional
-uniform vec3 last_cell[VOLUMES];           // indices of the last macrocell along each axis
-uniform mat3 world_from_gradient[VOLUMES]; // from gradient texels to world, scaled to data ranges per smallest voxel edge
-uniform vec3 gradient_zero[VOLUMES];       // texel that means no gradient
+// What is the same for all rays. It is copied to variables before each march: Mesa's software renderer gathers an element
+// of a uniform array lane by lane wherever it is read, which took an eighth of a lit frame.
+struct VolumeConstants {
+    vec2 u_from_voxel;        // u = x * texel + y
+    vec2 optics_from_voxel;   // coordinate in optics_table = x * texel + y
+    vec2 optics_visible;      // no extinction outside of these two coordinates
+    vec2 u_visible;           // the same in u
+    float tau_scale;          // optical depth per step and per unit of sigma in the tables
+    vec3 cells_from_texture;  // macrocells along each axis, fractional
+    vec3 last_cell;           // indices of the last macrocell along each axis
+    mat3 world_from_gradient; // from gradient texels to world, scaled to data ranges per smallest voxel edge
+    vec3 gradient_zero;       // texel that means no gradient
+#ifdef SCATTER
+    vec2 half_cell;                // along z of the two light grids, as a share of one of them
+    vec3 grid_from_texture_scale;  // texture space -> [0,1] over the light grid
+    vec3 grid_from_texture_shift;
+    vec3 light_cells;              // cells of the light grid per unit of texture space
+    mat3 texture_from_world;       // texture space per step
+    float asymmetry;               // g
+    int scatter_kind;              // 0: not a scattering volume, 1: physical, 2: chromaticity
+#endif
+};
+uniform VolumeConstants volume_uniforms[VOLUMES];
+VolumeConstants constants[VOLUMES];
 
 Volume ray_volumes[VOLUMES];
 // The same ray in macrocells. Divisions are made once per ray: they are dear on a software renderer.
@@ -44,11 +59,12 @@ float table_coordinate(float u, const float entries) { return u * ((entries - 1.
 
 void begin_ray(int m, Volume volume)
 {
+    constants[m] = volume_uniforms[m];
     ray_enter[m] = 0.0;
     ray_leave[m] = 0.0;
     ray_volumes[m] = volume;
-    ray_cells_origin[m] = volume.origin * cells_from_texture[m];
-    ray_cells_step[m] = volume.direction * cells_from_texture[m];
+    ray_cells_origin[m] = volume.origin * constants[m].cells_from_texture;
+    ray_cells_step[m] = volume.direction * constants[m].cells_from_texture;
     bvec3 still = lessThan(abs(ray_cells_step[m]), vec3(1e-20));
     ray_steps_per_cell[m] = mix(1.0 / mix(ray_cells_step[m], vec3(1.0), still), vec3(1e20), still);
     ray_first_border[m] = vec3(lessThan(ray_steps_per_cell[m], vec3(0.0)));
@@ -85,9 +101,9 @@ Sample medium_sample(float t)
         vec3 x = ray_volumes[m].origin + t * ray_volumes[m].direction;
         float texel = textureLod(voxels[m], x, 0.0).x;
 #ifdef SAMPLE_AT_MIDPOINTS
-        s.at[m] = texel * optics_from_voxel[m].x + optics_from_voxel[m].y;
+        s.at[m] = texel * constants[m].optics_from_voxel.x + constants[m].optics_from_voxel.y;
 #else
-        float u = texel * u_from_voxel[m].x + u_from_voxel[m].y;
+        float u = texel * constants[m].u_from_voxel.x + constants[m].u_from_voxel.y;
         s.u[m] = u;
         // Beyond the window sigma is constant, so K goes on in a straight line.
         float inside = clamp(u, 0.0, 1.0);
@@ -103,9 +119,9 @@ float sigma_at(int m, vec3 x)
 {
     float texel = textureLod(voxels[m], x, 0.0).x;
 #ifdef SAMPLE_AT_MIDPOINTS
-    return textureLod(optics_table[m], texel * optics_from_voxel[m].x + optics_from_voxel[m].y, 0.0).x;
+    return textureLod(optics_table[m], texel * constants[m].optics_from_voxel.x + constants[m].optics_from_voxel.y, 0.0).x;
 #else
-    float u = clamp(texel * u_from_voxel[m].x + u_from_voxel[m].y, 0.0, 1.0);
+    float u = clamp(texel * constants[m].u_from_voxel.x + constants[m].u_from_voxel.y, 0.0, 1.0);
     return textureLod(depth_table[m], table_coordinate(u, depth_entries), 0.0).y;
 #endif
 }
@@ -124,9 +140,9 @@ float sigma_at(int m, vec3 x)
 vec3 lit_source(int m, vec3 color, float weight, float t)
 {
 #if defined(SCATTER) && defined(REFLECT)
-    return scatter_kind[m] != 0 ? scattered_source(m, color, weight, t) : reflected_source(m, color, weight, t);
+    return constants[m].scatter_kind != 0 ? scattered_source(m, color, weight, t) : reflected_source(m, color, weight, t);
 #elif defined(SCATTER)
-    return scatter_kind[m] != 0 ? scattered_source(m, color, weight, t) : color;
+    return constants[m].scatter_kind != 0 ? scattered_source(m, color, weight, t) : color;
 #else
     return reflected_source(m, color, weight, t);
 #endif
@@ -143,7 +159,11 @@ vec3 segment_glow[VOLUMES];
 
 void medium_begin()
 {
+    begin_lights();
     for (int m = 0; m < VOLUMES; ++m) {
+#if defined(REFLECT) || defined(SURFACES)
+        surfaces[m] = surface_uniforms[m];
+#endif
         segment_tau[m] = 0.0;
         segment_source[m] = vec3(0.0);
         segment_t[m] = 0.0;
@@ -178,14 +198,14 @@ bool medium_segment(Sample front, Sample back, float t_front, float t_back, out 
         vec3 part_source;
 #ifdef SAMPLE_AT_MIDPOINTS
         // A comparison is cheaper than a look at the table, and most of what is not leapt over is empty still.
-        if (front.at[m] < optics_visible[m].x || front.at[m] > optics_visible[m].y) {
+        if (front.at[m] < constants[m].optics_visible.x || front.at[m] > constants[m].optics_visible.y) {
             continue;
         }
         vec4 optics = textureLod(optics_table[m], front.at[m], 0.0);
         if (!(optics.x > 0.0)) {
             continue;
         }
-        part_tau = optics.x * part * tau_scale[m];
+        part_tau = optics.x * part * constants[m].tau_scale;
         part_source = optics.yzw * (1.0 / optics.x);
 #else
         // Mean of sigma over the values in between: exactly from K, or by the trapezoid where the difference of two
@@ -196,7 +216,7 @@ bool medium_segment(Sample front, Sample back, float t_front, float t_back, out 
         if (!(mean > 0.0)) {
             continue;
         }
-        part_tau = mean * part * tau_scale[m];
+        part_tau = mean * part * constants[m].tau_scale;
         part_source = textureLod(source_table[m], vec2(table_coordinate(front.u[m], source_entries),
                                                        table_coordinate(back.u[m], source_entries)), 0.0).xyz;
 #endif
@@ -267,7 +287,7 @@ bool medium_may_show(Sample front, Sample back)
         float low = min(front.u[m], back.u[m]);
         float high = max(front.u[m], back.u[m]);
         float bend = 0.05 + 0.5 * (high - low);
-        shows = shows || (high + bend >= u_visible[m].x && low - bend <= u_visible[m].y);
+        shows = shows || (high + bend >= constants[m].u_visible.x && low - bend <= constants[m].u_visible.y);
     }
     return shows;
 }
@@ -297,7 +317,7 @@ bool medium_empty(float t, out float until)
 #endif
         vec3 x = ray_cells_origin[m] + t * ray_cells_step[m];
         vec3 cell = floor(x);
-        float reach = float(texelFetch(emptiness[m], ivec3(clamp(cell, vec3(0.0), last_cell[m])), 0).x);
+        float reach = float(texelFetch(emptiness[m], ivec3(clamp(cell, vec3(0.0), constants[m].last_cell)), 0).x);
         empty = empty && reach > 0.0;
         // Every cell nearer than `reach` is empty: leave the cube of cells around this one. An occupied cell is left
         // as soon as the ray leaves it.

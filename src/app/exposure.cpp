@@ -22,7 +22,7 @@ std::optional<double> suitable_exposure_ev(const Image& picture) {
     if (values.empty()) {
         return std::nullopt;
     }
-    const auto at = values.begin() + std::ptrdiff_t(percentile * double(values.size() - 1) + 0.5);
+    const auto at = values.begin() + std::lround(percentile * double(values.size() - 1));
     std::nth_element(values.begin(), at, values.end());
     if (!(*at > 0.0F) || !std::isfinite(*at)) {
         return std::nullopt;

@@ -7,8 +7,8 @@
 #include <limits>
 #include <optional>
 
-#include "base/integer_hash.h"
 #include "reference/cloud_phase.h"
+#include "reference/random.h"
 
 namespace bruma::reference {
 namespace {
@@ -21,7 +21,7 @@ struct Moments {
     double passed = 0.0, passed_squares = 0.0, orders = 0.0;
 };
 
-struct Collision {
+struct CloudCollision {
     glm::dvec3 at_world;
     const CloudMedium* medium;
 };
@@ -31,7 +31,7 @@ class Path {
   public:
     Path(std::span<const CloudMedium> media, const CloudLight& light, const MonteCarloOptions& options,
          std::uint32_t sample)
-        : media_(media), light_(light), options_(options), random_(options.pixel, sample) {}
+        : media_(media), light_(light), options_(options), random_(0, options.pixel, sample) {}
 
     Moments trace(const scene::Ray& ray) {
         Moments result;
@@ -40,7 +40,7 @@ class Path {
         std::int64_t orders = 0;
         double longest = options_.longest_m;
         while (true) {
-            const std::optional<Collision> collision = fly(origin, direction, longest);
+            const std::optional<CloudCollision> collision = fly(origin, direction, longest);
             if (collision) {
                 weight *= collision->medium->optics.albedo;
                 radiance += weight * sun_at(*collision, direction);
@@ -63,21 +63,21 @@ class Path {
 
   private:
     /// Delta tracking: the first real collision, or none.
-    std::optional<Collision> fly(const glm::dvec3& origin, const glm::dvec3& direction, double longest) {
+    std::optional<CloudCollision> fly(const glm::dvec3& origin, const glm::dvec3& direction, double longest) {
         for (const CloudStretch& stretch : stretches(media_, origin, direction, longest)) {
             const double majorant = majorant_of(stretch);
             double t = stretch.begin_m;
             while (majorant > 0.0) {
-                t -= std::log1p(-random_.next()) / majorant;
+                t -= std::log1p(-random_.uniform()) / majorant;
                 if (t >= stretch.end_m) {
                     break;
                 }
                 const glm::dvec3 at = origin + t * direction;
-                double choice = random_.next() * majorant;
+                double choice = random_.uniform() * majorant;
                 for (const CloudMedium* medium : stretch.media) {
                     choice -= medium->extinction_per_m(at);
                     if (choice < 0.0) {
-                        return Collision{at, medium};
+                        return CloudCollision{at, medium};
                     }
                 }
             }
@@ -92,7 +92,7 @@ class Path {
             const double majorant = majorant_of(stretch);
             double t = stretch.begin_m;
             while (majorant > 0.0 && passed > 0.0) {
-                t -= std::log1p(-random_.next()) / majorant;
+                t -= std::log1p(-random_.uniform()) / majorant;
                 if (t >= stretch.end_m) {
                     break;
                 }
@@ -103,7 +103,7 @@ class Path {
                 passed *= 1.0 - extinction / majorant;
                 // Below a tenth go on with one in two and count it twice: as right, and sooner done.
                 if (passed < 0.1 && passed > 0.0) {
-                    passed = random_.next() < 0.5 ? 2.0 * passed : 0.0;
+                    passed = random_.uniform() < 0.5 ? 2.0 * passed : 0.0;
                 }
             }
         }
@@ -118,7 +118,7 @@ class Path {
         return sum;
     }
 
-    glm::dvec3 sun_at(const Collision& collision, const glm::dvec3& direction) {
+    glm::dvec3 sun_at(const CloudCollision& collision, const glm::dvec3& direction) {
         const CloudGeometry& geometry = collision.medium->geometry;
         const glm::dvec3 sun = light_.sun_irradiance(geometry.altitude_m(collision.at_world));
         if (sun == glm::dvec3(0.0) || geometry.ground_distance(collision.at_world, light_.to_sun_world) < infinity) {
@@ -129,9 +129,9 @@ class Path {
     }
 
     glm::dvec3 scattered(const scene::CloudOptics& optics, const glm::dvec3& direction) {
-        const double g = random_.next() < optics.forward_share ? optics.forward_g : optics.backward_g;
-        const double u = random_.next();
-        return sample_henyey_greenstein(direction, g, u, random_.next());
+        const double g = random_.uniform() < optics.forward_share ? optics.forward_g : optics.backward_g;
+        const double u = random_.uniform();
+        return sample_henyey_greenstein(direction, g, u, random_.uniform());
     }
 
     /// A path that left the clouds: ends in the sky, or turns on the ground. Returns whether it goes on.
@@ -155,8 +155,8 @@ class Path {
                         (climb * std::numbers::inv_pi * transmittance(origin, light_.to_sun_world));
         }
         // Lambert: a direction uniform on the sphere, added to the normal.
-        const double u = random_.next();
-        const glm::dvec3 lean = up + sample_henyey_greenstein(up, 0.0, u, random_.next());
+        const double u = random_.uniform();
+        const glm::dvec3 lean = up + sample_henyey_greenstein(up, 0.0, u, random_.uniform());
         direction = glm::length(lean) > 1e-9 ? glm::normalize(lean) : up;
         return true;
     }
@@ -166,7 +166,7 @@ class Path {
         if (most >= 0.1) {
             return true;
         }
-        if (most <= 0.0 || random_.next() >= 2.0 * most) {
+        if (most <= 0.0 || random_.uniform() >= 2.0 * most) {
             return false;
         }
         weight /= 2.0 * most;
@@ -176,16 +176,10 @@ class Path {
     std::span<const CloudMedium> media_;
     const CloudLight& light_;
     const MonteCarloOptions& options_;
-    CounterRandom random_;
+    RandomStream random_;
 };
 
 }  // namespace
-
-double CounterRandom::next() {
-    const auto words = pcg3d(pixel_, sample_, count_++);
-    // 53 bits of two words: 24 would cut free flights at 17 mean free paths.
-    return (double(words[0] >> 5U) * 0x1p26 + double(words[1] >> 6U)) * 0x1p-53;
-}
 
 MonteCarloResult trace_paths(std::span<const CloudMedium> media, const CloudLight& light, const scene::Ray& ray,
                              const MonteCarloOptions& options) {

@@ -11,16 +11,6 @@
 /// tracking (Novak, Selle, Jarosz 2014). Unbiased but for the cut at `most_orders`.
 namespace bruma::reference {
 
-/// Numbers in [0,1) from (pixel, sample) and a running index: the same for the same path, in any order and thread.
-class CounterRandom {
-  public:
-    CounterRandom(std::uint32_t pixel, std::uint32_t sample) : pixel_(pixel), sample_(sample) {}
-    double next();
-
-  private:
-    std::uint32_t pixel_, sample_, count_ = 0;
-};
-
 struct MonteCarloOptions {
     std::uint32_t samples = 1024;
     std::uint32_t pixel = 0;            ///< another number is another stream

@@ -18,13 +18,14 @@ void visit_tentative_collisions(const PreparedVolume& volume, const scene::Ray& 
         depth = depth < 0.0 ? flight() : depth;
         double t = walk.t0();
         double left = walk.majorant() * (walk.t1() - t);
-        for (; depth <= left; depth = flight()) {
+        while (depth <= left) {
             left -= depth;
             t = std::min(t + depth / walk.majorant(), walk.t1());
             const OpticalPoint optics = walk.optics_at(t);
             if (!meet(t, optics.extinction / walk.majorant(), optics)) {
                 return;
             }
+            depth = flight();
         }
         depth -= left;
     }

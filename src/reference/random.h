@@ -33,8 +33,7 @@ class RandomStream {
             left_ = 2;
         }
         --left_;
-        const std::uint64_t bits =
-            std::uint64_t(words_[std::size_t(2 * left_)]) << 32 | words_[std::size_t(2 * left_ + 1)];
+        const std::uint64_t bits = std::uint64_t(words_[2 * left_]) << 32 | words_[2 * left_ + 1];
         return double(bits >> 11) * 0x1p-53;
     }
 
@@ -42,7 +41,7 @@ class RandomStream {
     std::array<std::uint32_t, 2> key_;
     std::array<std::uint32_t, 4> counter_;  ///< [0] counts what was drawn
     std::array<std::uint32_t, 4> words_{};
-    int left_ = 0;  ///< numbers in `words_` that were not handed out
+    std::size_t left_ = 0;  ///< numbers in `words_` that were not handed out
 };
 
 }  // namespace bruma::reference

@@ -149,9 +149,11 @@ SkyPictureResult render_sky(const scene::Scene& scene, int width, int height, in
         const glm::dvec3 apart = glm::abs(radiance - sky.radiance(pixel.ray, steps / 2));
         if (sky.near_disc(pixel.ray, pixel_angle)) {
             constexpr int edge = 8;
-            for (int n = 0; n < edge * edge; ++n) {
-                const double x = pixel.x + (n % edge + 0.5) / edge, y = pixel.y + (n / edge + 0.5) / edge;
-                radiance += sky.disc(scene::camera_ray(camera, x, y, width, height)) / double(edge * edge);
+            for (int j = 0; j < edge; ++j) {
+                for (int i = 0; i < edge; ++i) {
+                    const double x = pixel.x + (i + 0.5) / edge, y = pixel.y + (j + 0.5) / edge;
+                    radiance += sky.disc(scene::camera_ray(camera, x, y, width, height)) / double(edge * edge);
+                }
             }
         }
         for (int channel = 0; channel < 3; ++channel) {

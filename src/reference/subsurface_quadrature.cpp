@@ -69,6 +69,11 @@ double relative(glm::dvec3 error, glm::dvec3 scale) {
 
 }  // namespace
 
+double share_towards(const BodyLight& light, glm::dvec3 to_light) {
+    return light.spot ? scene::spot_share(*light.spot, glm::dot(glm::normalize(light.spot->direction_world), to_light))
+                      : 1.0;
+}
+
 SubsurfaceQuadrature::SubsurfaceQuadrature(const RayMesh& mesh, const Bssrdf& bssrdf, std::vector<BodyLight> lights,
                                            const QuadratureOptions& options)
     : mesh_(mesh),
@@ -97,7 +102,7 @@ SubsurfaceQuadrature::Entry SubsurfaceQuadrature::entry_at(const Cell& cell, glm
             return entry;
         }
         to_light = way / distance;
-        irradiance /= distance * distance;
+        irradiance *= share_towards(light, to_light) / (distance * distance);
     }
     const glm::dvec3 area = mesh_.area_vector(cell.triangle);
     const double cosine = glm::dot(to_light, area) / glm::length(area);

@@ -1,10 +1,12 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "reference/dipole.h"
 #include "reference/ray_mesh.h"
+#include "scene/light.h"
 
 /// The BSSRDF integrated over the lit surface of a mesh, in double, by quadrature that adapts to a stated error:
 ///
@@ -21,7 +23,10 @@ struct BodyLight {
     glm::dvec3 position{0.0};            ///< point: mm
     /// Directional: E_perp, the irradiance of a plane that faces it. Point: intensity, E_perp times mm^2.
     glm::dvec3 strength{1.0};
+    std::optional<scene::Light> spot = std::nullopt;  ///< whose cone it is; `position` counts
 };
+/// Share of a light's strength that goes against the unit vector `to_light`: 1 but for spots.
+double share_towards(const BodyLight& light, glm::dvec3 to_light);
 
 struct QuadratureOptions {
     double tolerance = 1e-3;                    ///< of R, relative, each channel

@@ -121,7 +121,7 @@ bool MeshBody::has_lost(glm::dvec3 p) const {
 }
 
 Walk random_walk(const WalkBody& body, const SubsurfaceChannel& channel, glm::dvec3 entry, glm::dvec3 direction,
-                 CounterRandom& random) {
+                 RandomStream& random) {
     const double mean_free_path = 1.0 / (channel.sigma_a + channel.sigma_s);
     const double albedo = channel.sigma_s * mean_free_path;
     glm::dvec3 p = entry;
@@ -129,10 +129,10 @@ Walk random_walk(const WalkBody& body, const SubsurfaceChannel& channel, glm::dv
     Walk walk;
     walk.weight = 1.0;
     for (;;) {
-        double flight = -std::log1p(-random.next()) * mean_free_path;
+        double flight = -std::log1p(-random.uniform()) * mean_free_path;
         while (const auto hit = body.first_boundary(p, d, flight)) {
             const double cosine = glm::dot(d, hit->normal);
-            if (random.next() >= fresnel_reflectance(cosine, 1.0 / channel.eta)) {
+            if (random.uniform() >= fresnel_reflectance(cosine, 1.0 / channel.eta)) {
                 walk.fate = WalkFate::escaped;
                 walk.position = hit->position;
                 walk.normal = hit->normal;
@@ -151,14 +151,14 @@ Walk random_walk(const WalkBody& body, const SubsurfaceChannel& channel, glm::dv
         }
         walk.weight *= albedo;
         if (walk.weight < roulette_below) {
-            if (random.next() < 0.5) {
+            if (random.uniform() < 0.5) {
                 walk.weight = 0.0;
                 return walk;
             }
             walk.weight *= 2.0;
         }
-        const double cosine = scattering_cosine(channel.g, random.next());
-        d = turned(d, cosine, random.next());
+        const double cosine = scattering_cosine(channel.g, random.uniform());
+        d = turned(d, cosine, random.uniform());
     }
 }
 
@@ -169,7 +169,7 @@ Estimate half_space_reflectance(const SubsurfaceChannel& channel, double cos_inc
     const glm::dvec3 to_light(std::sqrt(1.0 - cos_incidence * cos_incidence), 0.0, cos_incidence);
     const glm::dvec3 inside = refract_into(to_light, {0.0, 0.0, 1.0}, channel.eta);
     return BlockSums(paths, 1).run([&](std::uint64_t n, const auto& add) {
-        CounterRandom random(seed, n);
+        RandomStream random(seed, 0, n);
         add(0, random_walk(body, channel, glm::dvec3(0.0), inside, random).weight);
     })[0];
 }
@@ -180,9 +180,9 @@ std::vector<Estimate> sphere_exitance(const SubsurfaceChannel& channel, double r
     const SphereBody body(radius);
     const double disk_over_bin = 0.25 * bins;  // pi R^2 / (4 pi R^2 / bins)
     return BlockSums(paths, bins).run([&](std::uint64_t n, const auto& add) {
-        CounterRandom random(seed, n);
-        const double u = random.next();
-        const glm::dvec2 across = uniform_disk_point(u, random.next());
+        RandomStream random(seed, 0, n);
+        const double u = random.uniform();
+        const glm::dvec2 across = uniform_disk_point(u, random.uniform());
         const glm::dvec3 normal(across, std::sqrt(1.0 - u));
         const glm::dvec3 inside = refract_into({0.0, 0.0, 1.0}, normal, channel.eta);
         const Walk walk = random_walk(body, channel, radius * normal, inside, random);
@@ -200,9 +200,9 @@ std::vector<Estimate> mesh_exitance(const RayMesh& mesh, double radius, const Su
     const double bound = 1.001 * mesh.bounding_radius();
     const double disk_over_bin = 0.25 * bins * (bound * bound) / (radius * radius);
     return BlockSums(paths, bins).run([&](std::uint64_t n, const auto& add) {
-        CounterRandom random(seed, n);
-        const double u = random.next();
-        const glm::dvec2 across = bound * uniform_disk_point(u, random.next());
+        RandomStream random(seed, 0, n);
+        const double u = random.uniform();
+        const glm::dvec2 across = bound * uniform_disk_point(u, random.uniform());
         const auto entry = mesh.first_hit(mesh.bounding_centre() + glm::dvec3(across, 2.0 * bound), {0.0, 0.0, -1.0});
         if (!entry || entry->geometric_normal.z <= 0.0) {
             return;

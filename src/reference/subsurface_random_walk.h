@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "reference/counter_random.h"
+#include "reference/random.h"
 #include "reference/ray_mesh.h"
 #include "reference/subsurface_medium.h"
 
@@ -74,7 +74,7 @@ struct Walk {
 
 /// One walk from `entry`, just inside, along `direction`.
 Walk random_walk(const WalkBody& body, const SubsurfaceChannel& channel, glm::dvec3 entry, glm::dvec3 direction,
-                 CounterRandom& random);
+                 RandomStream& random);
 
 /// A mean of independent samples with its standard error.
 struct Estimate {

@@ -178,7 +178,10 @@ void render_by_quadrature(SubsurfaceView& view, const RayMesh& mesh, const Subsu
             eye.hit(mesh, int(n % std::size_t(view.image.width)), int(n / std::size_t(view.image.width)), direction);
         if (hit) {
             const QuadratureResult result = quadrature.at({hit->position, hit->shading_normal});
-            const double t_21 = fresnel_transmittance(-glm::dot(direction, hit->shading_normal), medium.eta);
+            // Where a triangle's normals turn away from the eye and the triangle does not, it stands for an outline.
+            const double facing = std::max(-glm::dot(direction, hit->shading_normal),
+                                           std::min(0.1, std::abs(glm::dot(direction, hit->geometric_normal))));
+            const double t_21 = fresnel_transmittance(facing, medium.eta);
             add_pixel(view, n, t_21 * result.value, t_21 * result.error);
             evaluations += result.evaluations;
         }
@@ -201,14 +204,14 @@ void render_by_walks(SubsurfaceView& view, const RayMesh& mesh, const Subsurface
     Progress progress(options.progress, double(batches));
     tbb::parallel_for(std::size_t(0), batches, [&](std::size_t batch) {
         sums[batch].assign(view.image.pixel_count(), glm::dvec3(0.0));
-        std::uint64_t stream = 0;
+        std::uint32_t stream = 0;
         for (const BodyLight& light : lights) {
             for (int c = 0; c < 3; ++c, ++stream) {
                 const SubsurfaceChannel channel = medium.channel(c);
                 for (std::uint64_t n = 0; n < per_batch && light.strength[c] > 0.0; ++n) {
-                    CounterRandom random(options.seed + 0x1000003U * stream, batch * per_batch + n);
-                    const double u = random.next();
-                    const PhotonStart start = photon_start(mesh, light, u, random.next());
+                    RandomStream random(options.seed, stream, batch * per_batch + n);
+                    const double u = random.uniform();
+                    const PhotonStart start = photon_start(mesh, light, u, random.uniform());
                     const auto entry = mesh.first_hit(start.origin, start.direction);
                     const double cosine = entry ? -glm::dot(start.direction, entry->geometric_normal) : 0.0;
                     if (cosine <= 0.0) {
@@ -229,8 +232,8 @@ void render_by_walks(SubsurfaceView& view, const RayMesh& mesh, const Subsurface
                     if (facing <= 0.0 || mesh.blocked(walk.position, place->to_eye, place->distance)) {
                         continue;
                     }
-                    const double flux = light.strength[c] * start.weight / double(per_batch) * walk.weight *
-                                        fresnel_transmittance(cosine, medium.eta);
+                    const double flux = light.strength[c] * share_towards(light, -start.direction) * start.weight /
+                                        double(per_batch) * walk.weight * fresnel_transmittance(cosine, medium.eta);
                     sums[batch][place->pixel][c] += flux * place->pixels_per_area * facing * per_exitance *
                                                     fresnel_transmittance(facing, medium.eta);
                 }
@@ -258,8 +261,9 @@ void render_by_walks(SubsurfaceView& view, const RayMesh& mesh, const Subsurface
 BodyLight body_light(const scene::Light& light, const scene::Camera& camera) {
     BodyLight body;
     body.strength = light.on ? light.color * light.intensity : glm::dvec3(0.0);
-    if (light.kind == scene::LightKind::point) {
+    if (scene::has_position(light)) {
         body.directional = false;
+        body.spot = light.kind == scene::LightKind::spot ? std::optional(light) : std::nullopt;
         body.position = light.position_world * mm_per_m;
         body.strength *= mm_per_m * mm_per_m;  // given at 1 m
     } else if (light.kind == scene::LightKind::headlight) {

@@ -12,10 +12,11 @@ std::array<double, 9> cone_kernel(double g, double cone_angle_rad, glm::dvec3 ce
     std::array<double, 9> weights{};
     double sum = 0.0;
     for (int n = 0; n < 9; ++n) {
+        const int row = n / 3 - 1;
         for (int j = 0; j < fine; ++j) {
             for (int i = 0; i < fine; ++i) {
                 const glm::dvec3 way = crossing + glm::dvec3(cell.x * (n % 3 - 1 + (i + 0.5) / fine - 0.5),
-                                                             cell.y * (n / 3 - 1 + (j + 0.5) / fine - 0.5), 0.0);
+                                                             cell.y * (row + (j + 0.5) / fine - 0.5), 0.0);
                 const double distance = glm::length(way);
                 const double cosine = glm::dot(omega, way) / distance;
                 if (cosine < std::cos(cone_angle_rad)) {

@@ -81,10 +81,10 @@ void set_lights(gl::Program& program, const std::vector<scene::Light>& lights, c
         } else {
             toward = glm::normalize(toward);
         }
-        program.set_at("lights", int(n), ".irradiance", glm::vec3(radiance));
-        program.set_at("lights", int(n), ".toward", glm::vec3(toward));
-        program.set_at("lights", int(n), ".axis", axis);
-        program.set_at("lights", int(n), ".cone", cone);
+        program.set_at("light_uniforms", int(n), ".irradiance", glm::vec3(radiance));
+        program.set_at("light_uniforms", int(n), ".toward", glm::vec3(toward));
+        program.set_at("light_uniforms", int(n), ".axis", axis);
+        program.set_at("light_uniforms", int(n), ".cone", cone);
     }
 }
 

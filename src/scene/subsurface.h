@@ -34,7 +34,7 @@ inline std::span<const std::string_view> enum_words<SubsurfaceSampling>() {
 /// Baerentzen, "Interactive Directional Subsurface Scattering and Transport of Emergent Light", 2016).
 struct SubsurfaceSettings {
     SubsurfaceModel model = SubsurfaceModel::normalised_dipole;
-    std::int64_t maps = 16;              ///< parallel cameras around the body
+    std::int64_t maps = 16;              ///< parallel cameras around the body; 0: each pixel by itself
     std::int64_t map_size = 256;         ///< texels along an edge of each
     std::int64_t light_map_size = 1024;  ///< texels along an edge of what each lamp sees
     std::int64_t samples = 8;            ///< points of light per lamp, texel and pass
@@ -53,8 +53,9 @@ void visit_fields(Self& settings, Visitor&& visit) {
                             "published; standard_dipole: blind to the light's direction"},
           settings.model);
     visit(Field{.name = "maps",
-                .sentence = "cameras around the body, each with a map of the light that leaves it",
-                .min = 1,
+                .sentence = "cameras around the body, each with a map of the light that leaves it; 0: each pixel by "
+                            "itself, without texels in the way, anew in every picture",
+                .min = 0,
                 .max = 32,
                 .panel_min = 1,
                 .panel_max = 32},
@@ -68,7 +69,7 @@ void visit_fields(Self& settings, Visitor&& visit) {
                 .logarithmic = true},
           settings.map_size);
     visit(Field{.name = "light_map_size",
-                .sentence = "texels along an edge of what each lamp sees; best no larger than 1 / sigma_t'",
+                .sentence = "texels along an edge of what each lamp sees; best below 1 / (4 sigma_t')",
                 .min = 16,
                 .max = 8192,
                 .panel_min = 128,

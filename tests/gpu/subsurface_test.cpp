@@ -1,16 +1,19 @@
-// Shelf: double-precision reference. The subsurface functions of the shaders, in single precision.
+// Shelf: double-precision reference, and published numbers. The subsurface functions of the shaders, in single
+// precision.
 #include <glm/gtc/type_ptr.hpp>
 
 #include "drawing.h"
 #include "gl/buffer.h"
-#include "reference/counter_random.h"
 #include "reference/dipole.h"
+#include "reference/random.h"
+#include "render/subsurface_constants.h"
+#include "subsurface_truth.h"
 
 namespace bruma::render {
 namespace {
 
 using reference::Bssrdf;
-using reference::CounterRandom;
+using reference::RandomStream;
 using reference::SubsurfaceMedium;
 using reference::SubsurfaceModel;
 using reference::SurfacePoint;
@@ -89,6 +92,54 @@ SubsurfaceMedium grey(double sigma_a, double sigma_s, double g, double eta) {
     return {glm::dvec3(sigma_a), glm::dvec3(sigma_s), glm::dvec3(g), eta};
 }
 
+// Shelf: published numbers. What the program works out for the shaders shares its formulas with the reference, so both
+// are held against the same tables (the reference in tests/unit/reference_fresnel_test.cpp and
+// reference_dipole_test.cpp) and not against each other.
+TEST(SubsurfaceConstants, BoundariesAreThePublishedOnes) {
+    struct Row {
+        double eta, twice_c1, thrice_c2, twice_c1_outside;
+    };
+    // Fits of d'Eon and Irving 2011 to six decimals, the last outside their range by quadrature; matched: nothing.
+    const Row rows[] = {{1.0, 0.0, 0.0, 0.0},
+                        {1.3, 0.445295, 0.297448, 0.061116},
+                        {1.4, 0.529885, 0.386347, 0.076788},
+                        {1.5, 0.596541, 0.462609, 0.091774},
+                        {2.0, 0.790536, 0.706720, 0.160589},
+                        {2.5, 0.876878, 0.827561, 0.221913},
+                        {3.0, 0.919578, 0.882685, 1.0 - 9.0 * (1.0 - 0.919578)}};
+    for (const Row& row : rows) {
+        scene::SubsurfaceMedium medium = scene::medium_of(scene::Material::potato);
+        medium.refraction_index = row.eta;
+        const SubsurfaceConstants k = subsurface_constants(medium, scene::SubsurfaceModel::directional_dipole);
+        const double digits = row.eta < 2.6 ? 6e-7 : 1e-5;
+        EXPECT_NEAR(1.0 - 4.0 * k.c_phi, row.twice_c1, digits) << row.eta;
+        EXPECT_NEAR(1.0 - 2.0 * k.c_e, row.thrice_c2, digits) << row.eta;
+        EXPECT_NEAR(1.0 - 4.0 * k.c_phi_inverse, row.twice_c1_outside, row.eta < 2.6 ? 6e-7 : 1e-4) << row.eta;
+        EXPECT_NEAR(k.a, (1.0 + row.thrice_c2) / (1.0 - row.twice_c1), 1e-5 * k.a + 2e-3 * (row.eta > 2.6)) << row.eta;
+    }
+}
+
+TEST(SubsurfaceConstants, EveryMaterialReturnsWhatIsPublished) {
+    for (const reference::HalfSpaceTruth& truth : reference::half_space_truths) {
+        scene::SubsurfaceMedium medium;
+        medium.reduced_scattering = glm::dvec3(truth.sigma_s);
+        medium.absorption = glm::dvec3(truth.sigma_a);
+        medium.refraction_index = truth.eta;
+        const SubsurfaceConstants k = subsurface_constants(medium, scene::SubsurfaceModel::normalised_dipole);
+        // Random walks over the dipole's own integral: one percent of the table of factors, and the walks' error.
+        const double factor = truth.walk[0] / truth.dipole[0];
+        EXPECT_NEAR(k.normalisation.x, factor, 0.01 * factor + 4.0 * truth.walk_error[0] / truth.dipole[0])
+            << truth.name;
+        // Four decimals, and up to 2e-4 by which the fitted reflectance of the boundary is beside the exact one.
+        EXPECT_NEAR(k.diffuse_reflectance.x, truth.standard_dipole, 3e-4) << truth.name;
+    }
+    const scene::SubsurfaceMedium marble = scene::medium_of(scene::Material::marble);
+    const SubsurfaceConstants k = subsurface_constants(marble, scene::SubsurfaceModel::directional_dipole);
+    EXPECT_NEAR(k.d.y, 0.127027679, 1e-9);
+    EXPECT_NEAR(k.sigma_tr.y, 0.179656422, 1e-9);
+    EXPECT_NEAR(k.d_e.y, 0.270907706, 1e-9);
+}
+
 TEST_F(SubsurfaceShader, GoldenPointValues) {
     const glm::vec3 up(0.0F, 0.0F, 1.0F);
     const float half = std::sqrt(0.5F);
@@ -158,21 +209,21 @@ double sum_of_terms(const Case& c, int channel, glm::dvec3 omega_12) {
 
 TEST_F(SubsurfaceShader, AgreesWithTheReferenceOnRandomConfigurations) {
     std::vector<Case> cases;
-    CounterRandom random(9, 0);
+    RandomStream random(9, 0, 0);
     const auto direction = [&] {
-        const double z = 2.0 * random.next() - 1.0;
-        const double phi = 6.283185307179586 * random.next();
+        const double z = 2.0 * random.uniform() - 1.0;
+        const double phi = 6.283185307179586 * random.uniform();
         const double s = std::sqrt(1.0 - z * z);
         return glm::vec3(glm::normalize(glm::dvec3(s * std::cos(phi), s * std::sin(phi), z)));
     };
     for (int n = 0; n < 20000; ++n) {
         Case c;
-        const auto log_between = [&](double low, double high) { return low * std::pow(high / low, random.next()); };
+        const auto log_between = [&](double low, double high) { return low * std::pow(high / low, random.uniform()); };
         for (int k = 0; k < 3; ++k) {
             // Rounded first, so that the constants of both sides mean the same medium.
             c.medium.sigma_s[k] = float(log_between(0.05, 10.0));
             c.medium.sigma_a[k] = float(log_between(1e-4, 1.0));
-            c.medium.g[k] = n % 2 == 0 ? 0.0 : double(float(0.9 * random.next()));
+            c.medium.g[k] = n % 2 == 0 ? 0.0 : double(float(0.9 * random.uniform()));
         }
         c.medium.eta = n % 3 == 0 ? 1.5 : 1.3;
         c.n_i = direction();

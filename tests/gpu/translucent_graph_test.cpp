@@ -1,11 +1,7 @@
-// Shelf: closed form. What a change reruns inside translucent meshes, what is never made without them, and that no
-// visible point goes without light.
+// Shelf: closed form. What a change reruns inside translucent meshes, what is never made without them.
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 
 #include "base/installation.h"
-#include "io/mesh_source.h"
 #include "translucent.h"
 
 namespace bruma::render {
@@ -134,46 +130,6 @@ TEST_F(TranslucentGraph, NothingIsMadeWithoutTranslucentMeshes) {
     ball().surface.edit([](scene::MeshSurface& s) { s.shading = scene::MeshShading::lambert; });
     reruns();
     EXPECT_FALSE(renderer->translucent_standing());
-}
-
-/// Pixels that no map sees, of four views, as a share of those that show the mesh.
-double unseen_share(gl::ShaderLibrary& shaders, std::shared_ptr<const scene::TriangleMesh> mesh) {
-    scene::Scene scene;
-    add_translucent(scene, "body", std::move(mesh), scene::medium_of(scene::Material::skin1));
-    std::get<scene::Mesh>(scene.nodes.at("body").content).subsurface.edit([](scene::SubsurfaceSettings& settings) {
-        settings.maps = 16;
-        settings.map_size = 128;
-        settings.light_map_size = 128;
-        settings.samples = 1;
-    });
-    scene.lights["key"] = scene::Light{.direction_world = {0.3, 1.0, 0.4}};
-    scene.environment = scene::Environment{.radiance = glm::dvec3(0.0)};
-    scene.background = scene::Background{.top = glm::dvec3(0.0), .bottom = glm::dvec3(0.0)};
-    Renderer renderer(shaders);
-    double unseen = 0.0, shown = 0.0;
-    for (const glm::dvec3 back : {glm::dvec3(0.2, 0.3, 1.0), glm::dvec3(1.0, 0.5, -0.3), glm::dvec3(-0.8, -0.4, -0.6),
-                                  glm::dvec3(0.1, -1.0, 0.2)}) {
-        scene.camera = parallel_camera_around(scene, back);
-        renderer.render(scene, view_of({128, 128}, 1));
-        unseen += renderer.translucent_standing()->unseen_pixels;
-        const Image image = renderer.read_picture();
-        EXPECT_TRUE(all_finite(image));
-        for (std::size_t n = 0; n < image.pixel_count(); ++n) {
-            shown += image.rgba[4 * n + 3] > 0.5F ? 1.0 : 0.0;
-        }
-    }
-    return unseen / shown;
-}
-
-TEST_F(TranslucentGraph, MapsSeeClosedBodiesAllAround) {
-    EXPECT_EQ(unseen_share(shaders(), builtin_triangles("mesh-sphere")), 0.0);
-    // Where the tube passes close by itself, or a handle grows out of a wall, pixels are worked out one by one.
-    const double knot = unseen_share(shaders(), builtin_triangles("mesh-knot"));
-    const double pot = unseen_share(shaders(), builtin_triangles("pot"));
-    report("knot: share of pixels that no map sees", knot);
-    report("pot: share of pixels that no map sees", pot);
-    EXPECT_LE(knot, 0.01);
-    EXPECT_LE(pot, 0.01);
 }
 
 }  // namespace

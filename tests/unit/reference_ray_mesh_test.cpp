@@ -4,16 +4,16 @@
 #include <limits>
 
 #include "base/error.h"
-#include "reference/counter_random.h"
+#include "reference/random.h"
 #include "reference/ray_mesh.h"
 #include "subsurface_truth.h"
 
 namespace bruma::reference {
 namespace {
 
-glm::dvec3 direction(CounterRandom& random) {
-    const double z = 2.0 * random.next() - 1.0;
-    const double phi = 2.0 * std::numbers::pi * random.next();
+glm::dvec3 direction(RandomStream& random) {
+    const double z = 2.0 * random.uniform() - 1.0;
+    const double phi = 2.0 * std::numbers::pi * random.uniform();
     return {std::sqrt(1.0 - z * z) * std::cos(phi), std::sqrt(1.0 - z * z) * std::sin(phi), z};
 }
 
@@ -21,9 +21,10 @@ TEST(RayMesh, BoxIsHitWhereItsPlanesAre) {
     for (const double size : {1e-6, 1.0, 1e6}) {
         const glm::dvec3 shift = 3.0 * size * glm::dvec3(5.0, -7.0, 2.0);
         const RayMesh box(box_mesh(shift - size, shift + size));
-        CounterRandom random(1, 0);
+        RandomStream random(1, 0, 0);
         for (int n = 0; n < 2000; ++n) {
-            const glm::dvec3 local(1.8 * random.next() - 0.9, 1.8 * random.next() - 0.9, 1.8 * random.next() - 0.9);
+            const glm::dvec3 local(1.8 * random.uniform() - 0.9, 1.8 * random.uniform() - 0.9,
+                                   1.8 * random.uniform() - 0.9);
             const glm::dvec3 d = direction(random);
             double expected = 1e300;
             for (int axis = 0; axis < 3; ++axis) {
@@ -45,9 +46,9 @@ TEST(RayMesh, BoxIsHitWhereItsPlanesAre) {
 TEST(RayMesh, ClosedMeshLetsNothingOutAndShadesSmoothly) {
     const RayMesh sphere(sphere_mesh(10.0, 4, {1.0, 2.0, 3.0}));
     EXPECT_NEAR(sphere.bounding_radius(), 10.0, 0.1);
-    CounterRandom random(2, 0);
+    RandomStream random(2, 0, 0);
     for (int n = 0; n < 20000; ++n) {
-        const glm::dvec3 from = glm::dvec3(1.0, 2.0, 3.0) + 9.0 * random.next() * direction(random);
+        const glm::dvec3 from = glm::dvec3(1.0, 2.0, 3.0) + 9.0 * random.uniform() * direction(random);
         const glm::dvec3 d = direction(random);
         const auto hit = sphere.first_hit(from, d);
         ASSERT_TRUE(hit) << "a ray inside slipped through a seam";
@@ -60,7 +61,7 @@ TEST(RayMesh, ClosedMeshLetsNothingOutAndShadesSmoothly) {
 
 TEST(RayMesh, RaysFromTheSurfaceDoNotMeetTheirOwnTriangle) {
     const RayMesh sphere(sphere_mesh(10.0, 4));
-    CounterRandom random(3, 0);
+    RandomStream random(3, 0, 0);
     for (int n = 0; n < 20000; ++n) {
         const glm::dvec3 d = direction(random);
         const auto hit = sphere.first_hit(glm::dvec3(0.0), d);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "reference/counter_random.h"
+#include "reference/random.h"
 #include "reference/subsurface_noise.h"
 #include "reference/subsurface_sampling.h"
 #include "subsurface_truth.h"
@@ -32,10 +32,10 @@ void expect_samples_follow(const Density& density, int azimuths, double reach, c
     int within[3] = {0, 0, 0};
     int right = 0;
     double one_over_p = 0.0;
-    CounterRandom random(7, 0);
+    RandomStream random(7, 0, 0);
     for (int n = 0; n < count; ++n) {
-        const double u = random.next();
-        const glm::dvec2 d = density.sample(u, random.next());
+        const double u = random.uniform();
+        const glm::dvec2 d = density.sample(u, random.uniform());
         ASSERT_GT(density.pdf(d), 0.0) << name;
         for (int k = 0; k < 3; ++k) {
             within[k] += glm::length(d) < reach * std::pow(4.0, -k) ? 1 : 0;

@@ -159,6 +159,18 @@ TEST(SubsurfaceView, LightsAreTurnedIntoMillimetres) {
     EXPECT_FALSE(point.directional);
     EXPECT_EQ(point.position, glm::dvec3(0.0, 2000.0, 0.0));
     EXPECT_DOUBLE_EQ(point.strength.x / (2000.0 * 2000.0), 3.0 / 4.0) << "irradiance 2 m away, given at 1 m";
+    EXPECT_EQ(share_towards(point, {0.0, 0.0, 1.0}), 1.0);
+    light.kind = scene::LightKind::spot;
+    light.direction_world = {0.0, 2.0, 0.0};
+    light.spot_angle_deg = 60.0;
+    light.spot_softness = 1.0;
+    const BodyLight spot = body_light(light, camera);
+    EXPECT_FALSE(spot.directional);
+    EXPECT_EQ(spot.position, point.position);
+    // Smoothstep from a cosine of one half to one: half of it in the middle.
+    EXPECT_EQ(share_towards(spot, {0.0, 1.0, 0.0}), 1.0);
+    EXPECT_NEAR(share_towards(spot, {std::sqrt(1.0 - 0.75 * 0.75), 0.75, 0.0}), 0.5, 1e-12);
+    EXPECT_EQ(share_towards(spot, {0.9, 0.4, 0.0}), 0.0);
     light.kind = scene::LightKind::headlight;
     EXPECT_EQ(body_light(light, camera).to_light, glm::dvec3(0.0, 0.0, 1.0));
     EXPECT_EQ(body_light(light, camera).strength, glm::dvec3(3.0));

@@ -121,7 +121,7 @@ std::string add_sun(scene::Scene& scene) {
         light.edit([](scene::Light& edited) { edited.on = edited.on && edited.kind != LightKind::headlight; });
     }
     const scene::CameraFrame view = scene::camera_frame(scene.camera ? **scene.camera : scene::Camera{});
-    const std::string name = scene.lights.contains("sun") ? free_light_name(scene, "sun") : "sun";
+    std::string name = scene.lights.contains("sun") ? free_light_name(scene, "sun") : "sun";
     scene.lights[name] = scene::Light{
         .direction_world = glm::normalize(-0.75 * view.right_world + 0.7 * view.up_world + 0.35 * view.back_world),
         .intensity = sun_irradiance};

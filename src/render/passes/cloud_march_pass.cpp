@@ -237,7 +237,7 @@ void CloudMarchPass::draw(const PassAccess& access, const Parameters& parameters
 }
 
 void CloudMarchPass::march(const PassAccess& access, const Parameters& parameters, const Handles& handles,
-                           gl::Defines defines) {
+                           const gl::Defines& defines) {
     gl::Program& program = shaders_.get("cloud_march.frag", defines);
     program.set("pixel_offset", history_.offset());
     const scene::Camera camera = access.read(camera_);

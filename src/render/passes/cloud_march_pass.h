@@ -67,7 +67,8 @@ class CloudMarchPass {
     };
     void draw(const PassAccess& access, const Parameters& parameters, const Handles& handles, bool counting);
     Made made_with(Parameters parameters, const Handles& handles) const;
-    void march(const PassAccess& access, const Parameters& parameters, const Handles& handles, gl::Defines defines);
+    void march(const PassAccess& access, const Parameters& parameters, const Handles& handles,
+               const gl::Defines& defines);
     static gl::Defines defines_of(const Parameters& parameters, bool counting);
     void set_march(const PassAccess& access, gl::Program& program, const Parameters& parameters,
                    const scene::Camera& camera, GLuint& unit);

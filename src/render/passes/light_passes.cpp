@@ -199,6 +199,7 @@ Handle<LightTextures> LightPasses::update_stack(Stack& stack, const char* name,
                                       {}});
     }
     std::vector<int> reads;
+    reads.reserve(parts.size());
     for (const Handle<LightTextures> part : parts) {
         reads.push_back(part.index);
     }

@@ -35,16 +35,18 @@ bool reflects(const scene::VolumeOptics& optics) {
 }
 
 void set_surface(gl::Program& program, int index, const scene::VolumeOptics& optics) {
-    program.set_at("surface", index, ".ambient", float(optics.ambient));
-    program.set_at("surface", index, ".diffuse", float(optics.diffuse));
-    program.set_at("surface", index, ".specular", float(optics.specular));
-    program.set_at("surface", index, ".shininess", float(optics.shininess));
-    program.set_at("surface", index, ".blinn_phong", optics.highlight == scene::Highlight::blinn_phong ? 1 : 0);
-    program.set_at("surface", index, ".two_sided", optics.two_sided ? 1 : 0);
+    program.set_at("surface_uniforms", index, ".ambient", float(optics.ambient));
+    program.set_at("surface_uniforms", index, ".diffuse", float(optics.diffuse));
+    program.set_at("surface_uniforms", index, ".specular", float(optics.specular));
+    program.set_at("surface_uniforms", index, ".shininess", float(optics.shininess));
+    program.set_at("surface_uniforms", index, ".blinn_phong",
+                   optics.highlight == scene::Highlight::blinn_phong ? 1 : 0);
+    program.set_at("surface_uniforms", index, ".two_sided", optics.two_sided ? 1 : 0);
     // Unlit among lit ones: no gradient is ever steep enough.
-    program.set_at("surface", index, ".soft_from", reflects(optics) ? float(optics.gradient_soft_from) : 1e30F);
+    program.set_at("surface_uniforms", index, ".soft_from",
+                   reflects(optics) ? float(optics.gradient_soft_from) : 1e30F);
     const double width = optics.gradient_soft_to - optics.gradient_soft_from;
-    program.set_at("surface", index, ".soft_inverse_width", float(width > 1e-20 ? 1.0 / width : 1e20));
+    program.set_at("surface_uniforms", index, ".soft_inverse_width", float(width > 1e-20 ? 1.0 / width : 1e20));
 }
 
 }  // namespace
@@ -215,20 +217,22 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
     const glm::dvec2 u_of_texel = u_from_voxel(voxels, input.window);
     if (parameters.settings.classification == scene::Classification::post) {
         bind("optics_table", tables.optics);
-        program.set_at("optics_from_voxel", index, "", glm::vec2(table_from_voxel(u_of_texel, depth_entries)));
-        program.set_at("optics_visible", index, "",
+        program.set_at("volume_uniforms", index, ".optics_from_voxel",
+                       glm::vec2(table_from_voxel(u_of_texel, depth_entries)));
+        program.set_at("volume_uniforms", index, ".optics_visible",
                        glm::vec2(table_coordinate(tables.tables.lowest_visible, depth_entries),
                                  table_coordinate(tables.tables.highest_visible, depth_entries)));
     } else {
         bind("depth_table", tables.depth);
-        program.set_at("u_visible", index, "", glm::vec2(tables.tables.lowest_visible, tables.tables.highest_visible));
+        program.set_at("volume_uniforms", index, ".u_visible",
+                       glm::vec2(tables.tables.lowest_visible, tables.tables.highest_visible));
         bind("source_table", tables.source);
     }
     if (parameters.lit) {
         bind("glow_table", tables.glow);
     }
-    program.set_at("u_from_voxel", index, "", glm::vec2(u_of_texel));
-    program.set_at("tau_scale", index, "", float(input.tau_per_sigma_metre * parameters.step_world));
+    program.set_at("volume_uniforms", index, ".u_from_voxel", glm::vec2(u_of_texel));
+    program.set_at("volume_uniforms", index, ".tau_scale", float(input.tau_per_sigma_metre * parameters.step_world));
 
     const glm::dmat4 texture_from_world = glm::inverse(input.world_from_texture);
     const glm::dmat3 linear(texture_from_world);
@@ -246,8 +250,9 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
     if (parameters.settings.empty_space_skipping) {
         const EmptinessTexture& emptiness = access.read(input.emptiness);
         bind("emptiness", emptiness.distance);
-        program.set_at("cells_from_texture", index, "", glm::vec3(emptiness.voxels) / float(emptiness.edge));
-        program.set_at("last_cell", index, "", glm::vec3(emptiness.distance.size() - 1));
+        program.set_at("volume_uniforms", index, ".cells_from_texture",
+                       glm::vec3(emptiness.voxels) / float(emptiness.edge));
+        program.set_at("volume_uniforms", index, ".last_cell", glm::vec3(emptiness.distance.size() - 1));
     }
     if (parameters.lit) {
         set_surface(program, index, input.optics);
@@ -268,8 +273,8 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
         }
         const glm::dmat3 world_from_gradient =
             glm::transpose(linear) * scale * (gradients.difference_per_texel * smallest_edge / input.data_range);
-        program.set_at("world_from_gradient", index, "", glm::mat3(world_from_gradient));
-        program.set_at("gradient_zero", index, "", glm::vec3(float(gradients.texel_of_zero)));
+        program.set_at("volume_uniforms", index, ".world_from_gradient", glm::mat3(world_from_gradient));
+        program.set_at("volume_uniforms", index, ".gradient_zero", glm::vec3(float(gradients.texel_of_zero)));
     } else if (parameters.lit) {
         bind("gradients", gl::Texture());
     }
@@ -281,14 +286,15 @@ void MarchPass::bind_light(const PassAccess& access, gl::Program& program, const
     const bool scatters = scene::scatters(input.optics.lighting);
     const bool paper = input.optics.lighting == scene::VolumeLighting::light_volume &&
                        input.light_volume.mode == scene::SweepMode::paper;
-    program.set_at("scatter_kind", index, "", !scatters ? 0 : paper ? 2 : 1);
-    program.set_at("asymmetry", index, "", float(input.optics.g));
+    program.set_at("volume_uniforms", index, ".scatter_kind", !scatters ? 0 : paper ? 2 : 1);
+    program.set_at("volume_uniforms", index, ".asymmetry", float(input.optics.g));
     const glm::dvec3 extent = input.clip.high - input.clip.low;
-    program.set_at("grid_from_texture_scale", index, "", glm::vec3(1.0 / extent));
-    program.set_at("grid_from_texture_shift", index, "", glm::vec3(-input.clip.low / extent));
-    program.set_at("light_cells", index, "", glm::vec3(glm::dvec3(input.light_grid.cells) / extent));
+    program.set_at("volume_uniforms", index, ".grid_from_texture_scale", glm::vec3(1.0 / extent));
+    program.set_at("volume_uniforms", index, ".grid_from_texture_shift", glm::vec3(-input.clip.low / extent));
+    program.set_at("volume_uniforms", index, ".light_cells", glm::vec3(glm::dvec3(input.light_grid.cells) / extent));
     const glm::dmat3 texture_from_world(glm::inverse(input.world_from_texture));
-    program.set_at("texture_from_world", index, "", glm::mat3(texture_from_world * parameters.step_world));
+    program.set_at("volume_uniforms", index, ".texture_from_world",
+                   glm::mat3(texture_from_world * parameters.step_world));
     const auto bind = [&](const char* sampler, Handle<LightTextures> light, gl::Texture LightTextures::*which) {
         const gl::Texture none;
         const gl::Texture& texture = light.index >= 0 ? access.read(light).*which : none;
@@ -300,7 +306,7 @@ void MarchPass::bind_light(const PassAccess& access, gl::Program& program, const
     };
     const float direct_half = bind("direct_light", input.light, &LightTextures::direct);
     const float beside_half = bind("diffuse_light", input.beside, &LightTextures::beside);
-    program.set_at("half_cell", index, "", glm::vec2(direct_half, beside_half));
+    program.set_at("volume_uniforms", index, ".half_cell", glm::vec2(direct_half, beside_half));
 }
 
 void MarchPass::draw(const PassAccess& access, const Parameters& parameters, bool counting) {

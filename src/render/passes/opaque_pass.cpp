@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "gl/query.h"
+#include "render/passes/subsurface_entry.h"
 #include "render/view_rays.h"
 
 namespace bruma::render {
@@ -61,7 +62,11 @@ int highlight_of(scene::MeshShading shading, bool on_translucent) {
     }
 }
 
-constexpr int direct_points = 64;  ///< per lamp and pixel that no map sees
+/// Points per lamp for a pixel that no map sees well: turns of 64. Beside the maps' means their noise, a tenth of the
+/// value with one turn, would be seen.
+constexpr int points_in_turn = 64;
+constexpr int turns_beside_maps = 4;
+constexpr std::int64_t most_turns = 64;
 
 }  // namespace
 
@@ -206,7 +211,7 @@ void OpaquePass::draw(const PassAccess& access, const Parameters& parameters) {
         fmt::format("{} x {} pixels, {} triangles of {} mesh{}", parameters.pixels.x, parameters.pixels.y, triangles,
                     parameters.meshes.size(), parameters.meshes.size() == 1 ? "" : "es");
     if (any_translucent) {
-        note += fmt::format(", {} pixels that no map sees", out.unseen);
+        note += fmt::format(", {} pixels that no map sees well", out.unseen);
     }
     access.note(note);
 }
@@ -225,7 +230,7 @@ std::uint32_t OpaquePass::draw_translucent(const PassAccess& access, const Param
     for (const bool from_points : {false, true}) {
         if (from_points) {
             defines["FROM_POINTS"] = "";
-            defines.merge(TranslucentPasses::defines_of(access.read(input.inside.shown->light), *input.inside.shown));
+            defines.merge(entry_defines(access.read(input.inside.shown->light), input.inside.shown->settings));
             unseen.begin();
         }
         gl::Program& program = prepared_program(parameters, stand, defines);
@@ -314,9 +319,13 @@ void OpaquePass::set_inside(const PassAccess& access, gl::Program& program, cons
     access.read(shown.radiosity).mean.bind(2);
     program.set("radiosity", 2);
     program.set("exit_count", exits.maps());
-    TranslucentPasses::set_entry(program, access.read(shown.light), shown, 3, lamps);
+    set_entry(program, access.read(shown.light), shown.constants, shown.powers, 3, lamps);
     program.set("diffuse_reflectance", glm::vec3(shown.constants.diffuse_reflectance));
-    TranslucentPasses::set_entry_points(program, 0, direct_points);
+    set_entry_points(program, 0, points_in_turn);
+    // Without maps all pixels get the points that the maps' texels would have got.
+    const std::int64_t turns = access.read(shown.radiosity).passes * shown.settings.samples / points_in_turn;
+    program.set("entry_turns",
+                exits.maps() > 0 ? turns_beside_maps : int(std::clamp(turns, std::int64_t(1), most_turns)));
     program.set("body_from_model", glm::mat3(shown.frame.body_from_model));
     const glm::dmat3 normals = glm::inverse(shown.frame.body_from_model);  // which is symmetric
     program.set("body_from_normal", glm::mat3(normals / std::max({std::abs(normals[0][0]), std::abs(normals[1][1]),

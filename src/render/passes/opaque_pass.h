@@ -22,8 +22,8 @@ struct OpaquePicture {
     gl::Texture thickness;  ///< R32F, mm: of a body that is seen through, while it is drawn
     gl::Framebuffer thickness_framebuffer;
     double unit_world = 1.0;  ///< metres
-    std::uint32_t unseen =
-        0;  ///< pixels of translucent surfaces that no map sees; their light is worked out one by one
+    /// Pixels of translucent surfaces that no map sees well; their light is worked out one by one.
+    std::uint32_t unseen = 0;
 };
 
 /// Rasterises all shown meshes.

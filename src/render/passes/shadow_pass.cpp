@@ -44,6 +44,7 @@ std::vector<MapCamera> cameras_of(const scene::Light& light, const ShadowMaps& m
         return {camera};
     }
     std::vector<MapCamera> cube;
+    cube.reserve(6);
     for (int face = 0; face < 6; ++face) {
         cube.push_back(cube_camera(eye, face, radius, size));
     }

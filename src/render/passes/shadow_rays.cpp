@@ -28,14 +28,14 @@ gl::Texture trace_shadow_rays(gl::ShaderLibrary& shaders, const VolumeTexture& v
     program.set_at("optics_table", 0, "", 1);
     emptiness.distance.bind(2);
     program.set_at("emptiness", 0, "", 2);
-    program.set_at("optics_from_voxel", 0, "",
+    program.set_at("volume_uniforms", 0, ".optics_from_voxel",
                    glm::vec2(table_from_voxel(u_from_voxel(voxels, rays.window), depth_entries)));
-    program.set_at("optics_visible", 0, "",
+    program.set_at("volume_uniforms", 0, ".optics_visible",
                    glm::vec2(table_coordinate(tables.lowest_visible, depth_entries),
                              table_coordinate(tables.highest_visible, depth_entries)));
-    program.set_at("tau_scale", 0, "", float(rays.tau_per_step));
-    program.set_at("cells_from_texture", 0, "", glm::vec3(emptiness.voxels) / float(emptiness.edge));
-    program.set_at("last_cell", 0, "", glm::vec3(emptiness.distance.size() - 1));
+    program.set_at("volume_uniforms", 0, ".tau_scale", float(rays.tau_per_step));
+    program.set_at("volume_uniforms", 0, ".cells_from_texture", glm::vec3(emptiness.voxels) / float(emptiness.edge));
+    program.set_at("volume_uniforms", 0, ".last_cell", glm::vec3(emptiness.distance.size() - 1));
     program.set("cells", plan.grid.cells);
     const auto [low, per_cell] = cells_in_texture(texture_from_cells);
     program.set("texture_low", glm::vec3(low));

@@ -7,69 +7,30 @@
 #include <cmath>
 
 #include "base/log.h"
-#include "render/far_lamps.h"
+#include "render/passes/subsurface_entry.h"
 
 namespace bruma::render {
 namespace {
+
+constexpr double mm_per_m = 1e3, mm2_per_m2 = 1e6;
 
 /// Work groups of 64 texels.
 std::uint32_t groups_of(std::uint32_t texels) {
     return (texels + 63) / 64;
 }
 
-constexpr double mm_per_m = 1e3, mm2_per_m2 = 1e6;
-
-/// Layouts of include/subsurface_entry.glsl and include/exit_maps.glsl.
-struct FaceData {
-    glm::vec4 right, up, toward, first;
-};
-struct LampData {
-    glm::vec4 power, eye;
-    FaceData faces[6];
-};
-struct ExitCameraData {
-    glm::vec4 right, up, back, size;
-};
-
-/// The views in which a lamp sees the whole body: one where it stands well
-/// outside, six around it where not.
-std::vector<MapCamera> cameras_of(const BodyLamp& lamp, const std::vector<glm::dvec3>& points, double radius,
-                                  int size) {
-    if (!lamp.has_position) {
-        return {parallel_camera(points, lamp.toward, size)};
+/// Light from so far away that floats round its place by more than a texel is as good as parallel: over the body its
+/// direction and its strength then differ by less than 2e-4.
+void take_for_parallel(BodyLamp& lamp, glm::dvec3& power, double radius) {
+    const double distance = glm::length(lamp.position);
+    if (!lamp.has_position || distance < 1e4 * radius) {
+        return;
     }
-    // Nearer, the outer texels of one view would be too large beside those in the middle.
-    if (glm::length(lamp.position) > 1.25 * radius) {
-        return {perspective_camera(points, lamp.position, size)};
-    }
-    std::vector<MapCamera> cube;
-    for (int face = 0; face < 6; ++face) {
-        cube.push_back(cube_camera(lamp.position, face, radius, size));
-    }
-    return cube;
-}
-
-int layers_of(const std::vector<BodyLamp>& lamps, double radius) {
-    int layers = 0;
-    for (const BodyLamp& lamp : lamps) {
-        layers += lamp.has_position && glm::length(lamp.position) <= 1.25 * radius ? 6 : 1;
-    }
-    return layers;
-}
-
-/// Size of a texel where the body stands, mm.
-double texel_mm(const MapCamera& camera) {
-    const double distance = camera.perspective ? std::max(glm::length(camera.eye), camera.near_depth) : 1.0;
-    return distance * std::max(camera.texel.x, camera.texel.y);
-}
-
-void start_drawing() {
-    glDisable(GL_BLEND);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LEQUAL);  // of two surfaces in one place both are lit
-    glDepthMask(GL_TRUE);
+    const glm::dvec3 toward = lamp.position / distance;
+    const double inside = std::clamp((glm::dot(toward, lamp.axis) - lamp.cone.x) * lamp.cone.y, 0.0, 1.0);
+    power *= inside * inside * (3.0 - 2.0 * inside) / (distance * distance);
+    lamp = BodyLamp{};
+    lamp.toward = toward;
 }
 
 double ms_since(std::chrono::steady_clock::time_point then) {
@@ -132,20 +93,19 @@ void TranslucentPasses::update(const scene::Mesh& mesh, const glm::dmat4& world_
         reads.insert(reads.end(), {occluder.triangles.index, occluder.buffers.index});
     }
     graph_.set_reads(light_, reads);
-    const scene::TriangleMesh& triangles = **mesh.triangles;
-    const double radius_m =
-        0.5 * glm::length(shown_.frame.body_from_model * (triangles.high - triangles.low)) / mm_per_m;
-    for (const scene::Light& given : lights) {
-        const scene::Light lamp = parallel_from_afar(given, shown_.frame.middle_world, radius_m).value_or(given);
+    const glm::dvec3 diagonal = shown_.frame.body_from_model * ((*mesh.triangles)->high - (*mesh.triangles)->low);
+    const double radius = 0.5 * glm::length(diagonal);
+    for (const scene::Light& lamp : lights) {
         light.lamps.push_back(body_lamp(lamp, shown_.frame, camera_back_world));
         shown_.powers.push_back(lamp.color * lamp.intensity * (scene::has_position(lamp) ? mm2_per_m2 : 1.0));
+        take_for_parallel(light.lamps.back(), shown_.powers.back(), radius);
     }
     graph_.set_parameters(light_, light);
-    graph_.set_execute(light_, [this, light](const PassAccess& access) { draw_light_maps(access, light); });
+    graph_.set_execute(light_, [this, light](const PassAccess& access) { look_from_lamps(access, light); });
 
     const ExitParameters exits{shown_.frame.body_from_model, int(settings.maps), int(settings.map_size)};
     graph_.set_parameters(exits_, exits);
-    graph_.set_execute(exits_, [this, exits](const PassAccess& access) { draw_exit_maps(access, exits); });
+    graph_.set_execute(exits_, [this, exits](const PassAccess& access) { look_from_around(access, exits); });
 
     graph_.set_parameters(
         begin_, StartParameters{medium, settings.model, settings.sampling, int(settings.samples), shown_.powers});
@@ -156,186 +116,22 @@ void TranslucentPasses::update(const scene::Mesh& mesh, const glm::dmat4& world_
                        [this, shown = shown_, goal](const PassAccess& access) { gather(access, shown, goal); });
 }
 
-void TranslucentPasses::draw_body(const MeshBuffers& buffers, gl::Program& program, const glm::dmat3& body_from_model,
-                                  const MapCamera& camera) const {
-    const glm::dmat3 normals = glm::transpose(glm::inverse(body_from_model));
-    double largest = 1e-300;
-    for (int k = 0; k < 9; ++k) {
-        largest = std::max(largest, std::abs(normals[k / 3][k % 3]));
-    }
-    program.set("body_from_model", glm::mat3(body_from_model));
-    program.set("body_from_normal", glm::mat3(normals / largest));
-    program.set("clip_from_body", glm::mat4(camera.clip_from_body()));
-    program.use();
-    draw_all(buffers);
+SeenBody TranslucentPasses::body(const PassAccess& access, const glm::dmat3& body_from_model) const {
+    return {access.read(mesh_.buffers), *access.read(mesh_.triangles), body_from_model};
 }
 
-void TranslucentPasses::draw_shades(const PassAccess& access, const std::vector<Shade>& shades,
-                                    const MapCamera& camera) const {
-    if (shades.empty()) {
-        return;
+void TranslucentPasses::look_from_lamps(const PassAccess& access, const LightParameters& parameters) {
+    std::vector<SeenShade> shades;
+    for (const Shade& shade : parameters.shades) {
+        shades.push_back({access.read(shade.buffers), shade.body_from_model});
     }
-    // Depth alone, so that what lies behind stays empty; also of what stands
-    // nearer to the lamp than the body's view.
-    gl::Program& program = shaders_.get("shadow_map.frag");
-    program.use();
-    glEnable(GL_DEPTH_CLAMP);
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    for (const Shade& shade : shades) {
-        const MeshBuffers& buffers = access.read(shade.buffers);
-        glm::dmat4 from_middle(1.0);
-        from_middle[3] = glm::dvec4(buffers.middle_model, 1.0);
-        program.set("clip_from_model", glm::mat4(camera.clip_from_body() * shade.body_from_model * from_middle));
-        draw_all(buffers);
-    }
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDisable(GL_DEPTH_CLAMP);
+    access.note(draw_light_maps(access.write(shown_.light), shaders_, body(access, parameters.body_from_model), shades,
+                                parameters.lamps, parameters.eta, parameters.size));
 }
 
-void TranslucentPasses::draw_light_maps(const PassAccess& access, const LightParameters& parameters) {
-    const std::vector<glm::dvec3> points = body_points(*access.read(mesh_.triangles), parameters.body_from_model);
-    LightMaps& out = access.write(shown_.light);
-    out.bounding_radius = bounding_radius(points);
-    const glm::ivec3 size(parameters.size, parameters.size,
-                          std::max(1, layers_of(parameters.lamps, out.bounding_radius)));
-    if (!out.points || out.points.size() != size) {
-        out.points = gl::Texture::make_2d_array("light points", GL_RGBA32F, size);
-        out.normals = gl::Texture::make_2d_array("light normals", GL_RG16, size);
-    }
-    const gl::Texture depth = gl::Texture::make_2d("light depth", GL_DEPTH_COMPONENT32F, glm::ivec2(size));
-    start_drawing();
-    gl::Program& program = shaders_.get("light_map.frag");
-    program.set("eta", float(parameters.eta));
-    out.lamps.clear();
-    out.coarsest_texel_mm = 0.0;
-    int layer = 0;
-    for (const BodyLamp& lamp : parameters.lamps) {
-        LightMaps::Drawn drawn{lamp, layer, cameras_of(lamp, points, out.bounding_radius, parameters.size)};
-        program.set("has_position", lamp.has_position ? 1 : 0);
-        program.set("lamp", glm::vec3(lamp.has_position ? lamp.position : lamp.toward));
-        program.set("axis", glm::vec3(lamp.axis));
-        program.set("cone", glm::vec2(lamp.cone));
-        for (const MapCamera& camera : drawn.cameras) {
-            const gl::Framebuffer target("light map", {{&out.points, layer}, {&out.normals, layer}}, {&depth});
-            const float nothing[4] = {0.0F, 0.0F, 0.0F, 0.0F};
-            const float farthest = 1.0F;
-            glClearNamedFramebufferfv(target.name(), GL_COLOR, 0, nothing);
-            glClearNamedFramebufferfv(target.name(), GL_COLOR, 1, nothing);
-            glClearNamedFramebufferfv(target.name(), GL_DEPTH, 0, &farthest);
-            target.bind();
-            draw_shades(access, parameters.shades, camera);
-            draw_body(access.read(mesh_.buffers), program, parameters.body_from_model, camera);
-            out.coarsest_texel_mm = std::max(out.coarsest_texel_mm, texel_mm(camera));
-            ++layer;
-        }
-        out.lamps.push_back(std::move(drawn));
-    }
-    glDisable(GL_DEPTH_TEST);
-    access.note(fmt::format("{} lamp{}, {} view{} of {} x {} texels, {:.3g} mm each", parameters.lamps.size(),
-                            parameters.lamps.size() == 1 ? "" : "s", layer, layer == 1 ? "" : "s", size.x, size.y,
-                            out.coarsest_texel_mm));
-}
-
-void TranslucentPasses::draw_exit_maps(const PassAccess& access, const ExitParameters& parameters) {
-    const std::vector<glm::dvec3> points = body_points(*access.read(mesh_.triangles), parameters.body_from_model);
-    ExitMaps& out = access.write(shown_.exits);
-    const glm::ivec3 size(parameters.size, parameters.size, parameters.maps);
-    if (!out.depth || out.depth.size() != size) {
-        out.depth = gl::Texture::make_2d_array("exit depth", GL_DEPTH_COMPONENT32F, size);
-        out.depth.set_nearest();
-        out.normals = gl::Texture::make_2d_array("exit normals", GL_RG16, size);
-    }
-    start_drawing();
-    gl::Program& program = shaders_.get("exit_map.frag");
-    std::vector<ExitCameraData> cameras;
-    std::vector<std::uint32_t> texels;
-    std::vector<float> depths(std::size_t(size.x) * std::size_t(size.y));
-    out.first = {0};
-    out.texel_mm = 0.0;
-    for (int map = 0; map < parameters.maps; ++map) {
-        const MapCamera camera = parallel_camera(points, halton_direction(unsigned(map) + 1), parameters.size);
-        const gl::Framebuffer target("exit map", {{&out.normals, map}}, {&out.depth, map});
-        const float farthest = 1.0F;
-        glClearNamedFramebufferfv(target.name(), GL_DEPTH, 0, &farthest);
-        target.bind();
-        program.set("toward_camera", glm::vec3(camera.back));
-        draw_body(access.read(mesh_.buffers), program, parameters.body_from_model, camera);
-        cameras.push_back({glm::vec4(camera.right, camera.low.x), glm::vec4(camera.up, camera.low.y),
-                           glm::vec4(camera.back, camera.near_depth), glm::vec4(camera.texel, camera.depth, 0.0)});
-        out.texel_mm = std::max(out.texel_mm, std::max(camera.texel.x, camera.texel.y));
-        // Read back once per shape, so that no shader starts for texels beside the body.
-        glGetTextureSubImage(out.depth.name(), 0, 0, 0, map, size.x, size.y, 1, GL_DEPTH_COMPONENT, GL_FLOAT,
-                             GLsizei(depths.size() * sizeof(float)), depths.data());
-        for (std::uint32_t n = 0; n < depths.size(); ++n) {
-            if (depths[n] < 1.0F) {
-                texels.push_back(n);
-            }
-        }
-        out.first.push_back(std::uint32_t(texels.size()));
-    }
-    glDisable(GL_DEPTH_TEST);
-    texels.push_back(0);  // a buffer is never empty
-    out.cameras = gl::Buffer("exit cameras", std::span<const ExitCameraData>(cameras));
-    out.texels = gl::Buffer("exit texels", std::span<const std::uint32_t>(texels));
-    access.note(
-        fmt::format("{} maps of {} x {} texels, {:.3g} mm at most", parameters.maps, size.x, size.y, out.texel_mm));
-}
-
-gl::Defines TranslucentPasses::defines_of(const LightMaps& light, const Shown& shown) {
-    gl::Defines defines;
-    if (shown.settings.model == scene::SubsurfaceModel::standard_dipole) {
-        defines["STANDARD_DIPOLE"] = "";
-    }
-    if (shown.settings.sampling == scene::SubsurfaceSampling::exponential_disk) {
-        defines["EXPONENTIAL_DISK"] = "";
-    }
-    if (std::any_of(light.lamps.begin(), light.lamps.end(),
-                    [](const LightMaps::Drawn& lamp) { return lamp.cameras.size() > 1; })) {
-        defines["CUBE_LAMPS"] = "";
-    }
-    return defines;
-}
-
-void TranslucentPasses::set_entry_points(gl::Program& program, std::uint64_t first, int count) {
-    program.set("entry_samples", count);
-    for (int n = 0; n < count; ++n) {
-        const std::uint64_t index = first + std::uint64_t(n) + 1;  // point 0 is a corner
-        program.set_at("entry_points", n, "", glm::vec2(radical_inverse(index, 2), radical_inverse(index, 3)));
-    }
-}
-
-void TranslucentPasses::set_entry(gl::Program& program, const LightMaps& light, const Shown& shown, GLuint unit,
-                                  gl::Buffer& lamps) {
-    std::vector<LampData> data(std::max<std::size_t>(1, light.lamps.size()));
-    for (std::size_t n = 0; n < light.lamps.size(); ++n) {
-        const LightMaps::Drawn& lamp = light.lamps[n];
-        const bool cube = lamp.cameras.size() > 1;
-        const double distance = glm::length(lamp.lamp.position);
-        const double radius = light.bounding_radius;
-        data[n].power = glm::vec4(shown.powers[n], !lamp.lamp.has_position ? 0.0 : cube ? 2.0 : 1.0);
-        data[n].eye = glm::vec4(lamp.lamp.position, !lamp.lamp.has_position || cube
-                                                        ? radius
-                                                        : radius / std::sqrt(distance * distance - radius * radius));
-        for (std::size_t f = 0; f < lamp.cameras.size(); ++f) {
-            const MapCamera& camera = lamp.cameras[f];
-            data[n].faces[f] = {glm::vec4(camera.right, 1.0 / camera.texel.x),
-                                glm::vec4(camera.up, 1.0 / camera.texel.y),
-                                glm::vec4(camera.back, double(lamp.first_layer) + double(f)),
-                                glm::vec4(-camera.low / camera.texel, 0.0, 0.0)};
-        }
-    }
-    lamps = gl::Buffer("lamps", std::span<const LampData>(data));
-    lamps.bind_storage(2);
-    const EntryRates rates = entry_rates(shown.constants, light.bounding_radius);
-    set_medium(program, shown.constants);
-    program.set("lamp_count", int(light.lamps.size()));
-    program.set("tail_rates", glm::vec3(rates.tails));
-    program.set("core_rates", glm::vec3(rates.cores));
-    program.set("back_lit_depth", float(rates.back_lit_depth));
-    light.points.bind(unit);
-    program.set("light_points", int(unit));
-    light.normals.bind(unit + 1);
-    program.set("light_normals", int(unit + 1));
+void TranslucentPasses::look_from_around(const PassAccess& access, const ExitParameters& parameters) {
+    access.note(draw_exit_maps(access.write(shown_.exits), shaders_, body(access, parameters.body_from_model),
+                               parameters.maps, parameters.size));
 }
 
 double TranslucentPasses::measure_noise(const RadiosityMaps& radiosity, const ExitMaps& exits) const {
@@ -389,25 +185,34 @@ void TranslucentPasses::gather(const PassAccess& access, const Shown& shown, con
         out.noise = 1e30;
         out.start = start;
     }
+    const int samples = int(shown.settings.samples);
+    if (exits.maps() == 0) {
+        // Pixels draw their points themselves. One point's scatter is about as large as their mean.
+        const double enough = std::ceil(1.0 / (std::max(1e-12, std::pow(shown.settings.noise, 2.0)) * samples));
+        out.passes = std::max(out.passes, int(std::min(enough, double(goal.samples))));
+        out.noise = 1.0 / std::sqrt(double(out.passes) * samples);
+        access.note("no maps: each pixel by itself");
+        return;
+    }
     const double shortest_mm = 1.0 / std::max({shown.constants.sigma_t_reduced.x, shown.constants.sigma_t_reduced.y,
                                                shown.constants.sigma_t_reduced.z});
-    if (!said_coarse_ && light.coarsest_texel_mm > shortest_mm) {
+    // Just beyond the border of the light half of that makes a sphere 7 % too bright, a quarter of it 1.5 %.
+    if (!said_coarse_ && light.coarsest_texel_mm > 0.5 * shortest_mm) {
         said_coarse_ = true;
         log_note(
             "nodes.{}: texels of {:.3g} mm where light enters, but light is scattered every {:.3g} mm; a larger "
-            "subsurface.light_map_size shows sharper shadow borders",
+            "subsurface.light_map_size is truer beside shadow borders",
             node_name_, light.coarsest_texel_mm, shortest_mm);
     }
-    gl::Program& program = shaders_.get("radiosity.comp", defines_of(light, shown));
+    gl::Program& program = shaders_.get("radiosity.comp", entry_defines(light, shown.settings));
     gl::Buffer lamps;
-    set_entry(program, light, shown, 2, lamps);
+    set_entry(program, light, shown.constants, shown.powers, 2, lamps);
     exits.cameras.bind_storage(1);
     exits.depth.bind(0);
     program.set("exit_depth", 0);
     exits.normals.bind(1);
     program.set("exit_normals", 1);
     glBindImageTexture(0, out.mean.name(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_RGBA32F);
-    const int samples = int(shown.settings.samples);
     program.set("edge", unsigned(exits.depth.size().x));
     exits.texels.bind_storage(5);
     const auto began = std::chrono::steady_clock::now();

@@ -5,36 +5,11 @@
 #include "gl/shader_library.h"
 #include "render/body_frame.h"
 #include "render/passes/mesh_passes.h"
+#include "render/passes/translucent_maps.h"
 #include "render/path_goal.h"
 #include "render/subsurface_constants.h"
 
 namespace bruma::render {
-
-/// Where the lamps' light enters a body: what each of them sees of it.
-struct LightMaps {
-    gl::Texture points;   ///< RGBA32F array: mm; alpha: share of the light that passes the surface, 0 where none is
-    gl::Texture normals;  ///< RG16 array, octahedral
-    double bounding_radius = 0.0;  ///< mm
-    /// What one lamp's layers hold.
-    struct Drawn {
-        BodyLamp lamp;
-        int first_layer = 0;
-        std::vector<MapCamera> cameras;  ///< one, or the six of a cube
-    };
-    std::vector<Drawn> lamps;
-    double coarsest_texel_mm = 0.0;  ///< where the body stands
-};
-
-/// Where light leaves a body: what parallel cameras around it see.
-struct ExitMaps {
-    gl::Texture depth;                 ///< depth array, 1 where nothing is
-    gl::Texture normals;               ///< RG16 array, octahedral
-    gl::Buffer cameras;                ///< for include/exit_maps.glsl
-    gl::Buffer texels;                 ///< those that see the body, map after map: x + y * edge
-    std::vector<std::uint32_t> first;  ///< of each map in `texels`, and one past the last
-    double texel_mm = 0.0;             ///< largest
-    int maps() const { return int(first.size()) - 1; }
-};
 
 /// The light that leaves at each texel of the exit maps: a mean over passes.
 struct RadiosityMaps {
@@ -76,13 +51,6 @@ class TranslucentPasses {
         std::vector<glm::dvec3> powers;  ///< of the lamps
     };
     const Shown& shown() const { return shown_; }
-    /// What the shaders of a body are compiled for.
-    static gl::Defines defines_of(const LightMaps& light, const Shown& shown);
-    /// Sets what include/subsurface_entry.glsl reads, textures from `unit` on; `lamps` is filled and bound.
-    static void set_entry(gl::Program& program, const LightMaps& light, const Shown& shown, GLuint unit,
-                          gl::Buffer& lamps);
-    /// Points [first, first + count) of Halton's sequence, at most 256.
-    static void set_entry_points(gl::Program& program, std::uint64_t first, int count);
     /// Null before the first picture.
     const RadiosityMaps* standing() const { return graph_.product(shown_.radiosity); }
     bool settled() const { return standing() != nullptr && standing()->noise <= shown_.settings.noise; }
@@ -117,13 +85,11 @@ class TranslucentPasses {
     struct Start {
         Revision revision = 0;
     };
-    void draw_light_maps(const PassAccess& access, const LightParameters& parameters);
-    void draw_exit_maps(const PassAccess& access, const ExitParameters& parameters);
+    SeenBody body(const PassAccess& access, const glm::dmat3& body_from_model) const;
+    void look_from_lamps(const PassAccess& access, const LightParameters& parameters);
+    void look_from_around(const PassAccess& access, const ExitParameters& parameters);
     void gather(const PassAccess& access, const Shown& shown, const PathGoal& goal);
     double measure_noise(const RadiosityMaps& radiosity, const ExitMaps& exits) const;
-    void draw_shades(const PassAccess& access, const std::vector<Shade>& shades, const MapCamera& camera) const;
-    void draw_body(const MeshBuffers& buffers, gl::Program& program, const glm::dmat3& body_from_model,
-                   const MapCamera& camera) const;
 
     FrameGraph& graph_;
     gl::ShaderLibrary& shaders_;

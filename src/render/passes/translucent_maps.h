@@ -1,0 +1,59 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gl/shader_library.h"
+#include "render/body_frame.h"
+#include "render/passes/mesh_passes.h"
+
+/// What lamps, and cameras around it, see of a translucent body. Everything is in the body's frame, mm.
+namespace bruma::render {
+
+/// Where the lamps' light enters a body: what each of them sees of it.
+struct LightMaps {
+    gl::Texture points;   ///< RGBA32F array: mm; alpha: share of the light that passes the surface, 0 where none is
+    gl::Texture normals;  ///< RG16 array, octahedral
+    double bounding_radius = 0.0;  ///< mm
+    /// What one lamp's layers hold.
+    struct Drawn {
+        BodyLamp lamp;
+        int first_layer = 0;
+        std::vector<MapCamera> cameras;  ///< one, or the six of a cube
+    };
+    std::vector<Drawn> lamps;
+    double coarsest_texel_mm = 0.0;  ///< where the body stands
+};
+
+/// Where light leaves a body: what parallel cameras around it see.
+struct ExitMaps {
+    gl::Texture depth;                 ///< depth array, 1 where nothing is
+    gl::Texture normals;               ///< RG16 array, octahedral
+    gl::Buffer cameras;                ///< for include/exit_maps.glsl
+    gl::Buffer texels;                 ///< those that see the body, map after map: x + y * edge
+    std::vector<std::uint32_t> first;  ///< of each map in `texels`, and one past the last
+    double texel_mm = 0.0;             ///< largest
+    int maps() const { return int(first.size()) - 1; }
+};
+
+/// A body ready to be looked at.
+struct SeenBody {
+    const MeshBuffers& buffers;
+    const scene::TriangleMesh& triangles;
+    glm::dmat3 body_from_model{1.0};
+};
+/// A mesh that may stand in its light.
+struct SeenShade {
+    const MeshBuffers& buffers;
+    glm::dmat4 body_from_model{1.0};  ///< of the model's own coordinates, metres
+};
+
+/// Draws what each lamp sees, `size` texels along an edge; returns words for the frame graph's table.
+std::string draw_light_maps(LightMaps& out, gl::ShaderLibrary& shaders, const SeenBody& body,
+                            const std::vector<SeenShade>& shades, const std::vector<BodyLamp>& lamps, double eta,
+                            int size);
+/// Draws what `maps` parallel cameras all around see; none leaves one layer that nobody reads.
+std::string draw_exit_maps(ExitMaps& out, gl::ShaderLibrary& shaders, const SeenBody& body, int maps, int size);
+
+}  // namespace bruma::render
