@@ -63,12 +63,54 @@ Entry entry_through(int lamp, float kind, LightFace f, vec3 q, vec3 v)
     return Entry(point, normal, stored.w);
 }
 
+#ifdef EXPONENTIAL_DISK
+// The density of Dal Corso et al. (2016), e^(-rate rho) on a disk, cut where the body ends: `disk` is the rate, the
+// radius and 1 / Z.
+float share_within(float t)
+{
+    return t < 0.05 ? t * t * (0.5 - t / 3.0 + 0.125 * t * t) : 1.0 - (1.0 + t) * exp(-t);
+}
+
+vec3 published_disk(float body_radius)
+{
+    float rate = min(tail_rates.x, min(tail_rates.y, tail_rates.z));
+    float radius = min(8.0 / rate, 2.0 * body_radius);
+    return vec3(rate, radius, rate * rate / (2.0 * pi * share_within(rate * radius)));
+}
+
+float density_around(float rho, vec3 disk) { return rho <= disk.y ? disk.z * exp(-disk.x * rho) : 0.0; }
+
+// Newton's method, kept inside of a bracket.
+float drawn_distance(float u, vec3 disk)
+{
+    vec2 ends = vec2(0.0, disk.x * disk.y);
+    float wanted = u * share_within(ends.y);
+    float t = min(ends.y, sqrt(2.0 * wanted));
+    for (int turn = 0; turn < 12; ++turn) {
+        float excess = share_within(t) - wanted;
+        ends = excess > 0.0 ? vec2(ends.x, t) : vec2(t, ends.y);
+        float next = t - excess / max(t * exp(-t), 1e-30);
+        t = next > ends.x && next < ends.y ? next : 0.5 * (ends.x + ends.y);
+    }
+    return t / disk.x;
+}
+#else
 // Core and tail of each channel at distance rho.
 float density_around(float rho, vec3 cores)
 {
     vec3 sum = tail_rates * exp(-tail_rates * rho) + cores * exp(-cores * rho);
     return (sum.x + sum.y + sum.z) / (12.0 * pi * max(rho, 1e-30));
 }
+
+// One number picks the rate and, stretched, the distance.
+float drawn_distance(float u, vec3 cores)
+{
+    float scaled = 6.0 * u;
+    int pick = min(int(scaled), 5);
+    float rate = pick < 3 ? tail_rates[pick] : cores[pick - 3];
+    return -log(max(1.0 - (scaled - float(pick)), 1e-7)) / rate;
+}
+#endif
 
 vec3 subsurface_density(vec3 x, Entry entry, vec3 toward, vec3 n_o)
 {
@@ -103,22 +145,31 @@ vec3 light_from_inside(int lamp, vec3 x_o, vec3 n_o, vec2 shift)
     Entry above = entry_through(lamp, kind, face, x_o, from_eye);
     vec3 toward_o = kind == 0.0 ? axis : -normalize(from_eye);
     float depth = above.share > 0.0 ? dot(above.point - x_o, toward_o) : 0.0;
+#ifdef EXPONENTIAL_DISK
+    bool thick = false;
+    vec3 cores = published_disk(radius);
+    float uniform_share = kind == 2.0 ? 0.1 : 0.0;
+#else
     bool back_lit = depth > back_lit_depth;
-    vec3 cores = back_lit ? min(core_rates, vec3(1.0 / depth)) : core_rates;
+    bool thick = back_lit && depth >= 0.25 * radius;
+    vec3 cores = back_lit ? min(core_rates, vec3((thick ? 2.0 : 1.0) / depth)) : core_rates;
     // Around a lamp amid the body, points on the far side of it are reached by uniform directions alone.
-    float uniform_share = back_lit ? (depth < 0.25 * radius ? 0.25 : 0.5) : kind == 2.0 ? 0.1 : 0.0;
+    float uniform_share = kind == 2.0 ? (thick ? 0.5 : back_lit ? 0.25 : 0.1) : thick ? 0.2 : back_lit ? 0.25 : 0.0;
+#endif
+    // From behind, the rim of the lit side is nearest: points as if uniform on a hemisphere over the disk.
+    float hemisphere_share = thick && kind != 2.0 ? 0.5 : 0.0;
+    float disk_share = uniform_share + hemisphere_share;
 
     vec3 sum = vec3(0.0);
     for (int n = 0; n < entry_samples; ++n) {
         vec2 u = fract(entry_points[n] + shift);
         float rotation = 2.0 * pi * u.y;
         vec2 round_about = vec2(cos(rotation), sin(rotation));
-        bool drawn_uniform = u.x < uniform_share;
         vec2 d;
         vec3 v;  // from the lamp
-        if (drawn_uniform) {
-            float s = u.x / uniform_share;
-            d = centre + radius * sqrt(s) * round_about;
+        if (u.x < disk_share) {
+            float s = u.x < uniform_share ? u.x / uniform_share : (u.x - uniform_share) / hemisphere_share;
+            d = centre + radius * sqrt(u.x < uniform_share ? s : s * (2.0 - s)) * round_about;
             v = from_eye + d.x * right + d.y * up;
             if (kind == 2.0) {
                 float z = 2.0 * s - 1.0;
@@ -130,22 +181,20 @@ vec3 light_from_inside(int lamp, vec3 x_o, vec3 n_o, vec2 shift)
                 d = along > 1e-4 * distance_o ? vec2(dot(right, on_plane), dot(up, on_plane)) : vec2(1e30);
             }
         } else {
-            // One number picks the rate and, stretched, the distance.
-            float scaled = 6.0 * (u.x - uniform_share) / (1.0 - uniform_share);
-            int pick = min(int(scaled), 5);
-            float rate = pick < 3 ? tail_rates[pick] : cores[pick - 3];
-            d = -log(max(1.0 - (scaled - float(pick)), 1e-7)) / rate * round_about;
+            d = drawn_distance((u.x - disk_share) / (1.0 - disk_share), cores) * round_about;
             v = from_eye + d.x * right + d.y * up;
         }
         // Density per area of the plane; about a lamp amid the body, per solid angle.
         float squared = dot(v, v);
         float area_per_angle = kind == 0.0 ? 1.0 : squared * sqrt(squared) / distance_o;
-        float p = (1.0 - uniform_share) * (d.x < 1e29 ? density_around(length(d), cores) : 0.0);
+        float p = (1.0 - disk_share) * (d.x < 1e29 ? density_around(length(d), cores) : 0.0);
         if (kind == 2.0) {
             p = p * area_per_angle + uniform_share / (4.0 * pi);
         } else {
-            vec2 from_centre = d - centre;
-            p += dot(from_centre, from_centre) <= radius * radius ? uniform_share / (pi * radius * radius) : 0.0;
+            vec2 from_centre = (d - centre) / radius;
+            float slope2 = 1.0 - dot(from_centre, from_centre);
+            float disk = uniform_share + 0.5 * hemisphere_share * inversesqrt(max(slope2, 1e-6));
+            p += slope2 >= -1e-6 ? disk / (pi * radius * radius) : 0.0;  // no drawn point is rounded off the rim
             p *= area_per_angle;
         }
         Entry entry = entry_through(lamp, kind, face, eye + v, v);

@@ -118,9 +118,8 @@ void take_material(void* user, const char* text, int) {
     }
 }
 
-/// Adds the faces that were kept; returns a remark on the first one that is left out, or nothing.
-std::string add_faces(Receiver& from, const std::string& where) {
-    std::string remark;
+/// Adds the faces that were kept, and notes where the first one stands that is left out.
+void add_faces(Receiver& from, const std::string& where) {
     std::size_t begin = 0;
     for (std::size_t n = 0; n < from.face_ends.size(); ++n) {
         const auto corners = std::span(from.corners).subspan(begin, from.face_ends[n] - begin);
@@ -128,14 +127,13 @@ std::string add_faces(Receiver& from, const std::string& where) {
         const auto line = [&] { return line_of_statement(from.text.text, "f", n); };
         try {
             const auto verdict = from.parts.add_face(corners, from.face_materials[n]);
-            if (verdict != scene::MeshParts::Verdict::good && remark.empty()) {
-                remark = fmt::format("{}: the first face that was left out stands in line {}", where, line());
+            if (verdict != scene::MeshParts::Verdict::good && from.parts.first_left_out.empty()) {
+                from.parts.first_left_out = fmt::format("line {}", line());
             }
         } catch (const InputError& error) {
             throw InputError(fmt::format("{}: line {}: {}", where, line(), error.what()));
         }
     }
-    return remark;
 }
 
 std::string unknown_materials_remark(const std::set<std::string>& names, const std::string& where) {
@@ -172,7 +170,7 @@ scene::LoadedMesh load_obj_mesh(const std::filesystem::path& path, const scene::
     stream.exceptions(std::ios::badbit);
     tinyobj::LoadObjWithCallback(stream, callback, &to);
 
-    std::string first_fault = add_faces(to, path.string());
+    add_faces(to, path.string());
     to.parts.materials = std::move(materials.materials);
     const std::size_t named = to.parts.materials.size();
     const auto& used = to.parts.triangle_materials;
@@ -180,8 +178,9 @@ scene::LoadedMesh load_obj_mesh(const std::filesystem::path& path, const scene::
         to.parts.materials.emplace_back();
     }
     scene::LoadedMesh loaded = scene::make_mesh(to.parts, source, obj.unit_mm);
-    if (!first_fault.empty()) {
-        loaded.remarks.push_back(std::move(first_fault));
+    if (!to.parts.first_left_out.empty()) {
+        loaded.remarks.push_back(
+            fmt::format("{}: the first face that was left out stands in {}", path.string(), to.parts.first_left_out));
     }
     loaded.remarks.insert(loaded.remarks.end(), materials.remarks.begin(), materials.remarks.end());
     if (!to.unknown_materials.empty()) {

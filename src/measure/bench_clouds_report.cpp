@@ -1,46 +1,36 @@
 #include <fmt/core.h>
 
-#include "io/atomic_file.h"
 #include "measure/bench_clouds.h"
 #include "measure/bench_html.h"
+#include "measure/bench_table.h"
 #include "measure/plot.h"
 
 namespace bruma::measure {
 namespace {
 
-std::string csv_of(const CloudBench& bench) {
-    std::string text =
-        "preset,view,technique,rmse,relative_rmse,bias,ms,cpu_ms,turns_per_pixel,weather_per_pixel,noise_per_pixel,"
-        "light_per_pixel\n";
-    for (const CloudBenchScene& scene : bench.scenes) {
-        for (const CloudBenchRow& row : scene.rows) {
-            text += fmt::format("{},{},\"{}\",{:.5g},{:.5g},{:.5g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g}\n",
-                                scene.preset, scene.view, row.technique, row.rmse, row.relative_rmse, row.bias, row.ms,
-                                row.cpu_ms, row.turns, row.weather, row.noise, row.light);
-        }
-    }
-    return text;
+BenchTable table_of(const CloudBenchScene& scene) {
+    using Row = CloudBenchRow;
+    return bench_table<Row>(
+        {{"technique", "technique", {}, [](const Row& row) { return row.technique; }},
+         {"rmse", "RMSE", "{:.4f}", [](const Row& row) { return row.rmse; }},
+         {"relative_rmse", "relative RMSE", "{:.4f}", [](const Row& row) { return row.relative_rmse; }},
+         {"bias", "bias", "{:+.4f}", [](const Row& row) { return row.bias; }},
+         {"ms", "ms", "{:.1f}", [](const Row& row) { return row.ms; }},
+         {"cpu_ms", "CPU ms", "{:.1f}", [](const Row& row) { return row.cpu_ms; }},
+         {"turns_per_pixel", "turns / px", "{:.1f}", [](const Row& row) { return row.turns; }},
+         {"weather_per_pixel", "weather / px", "{:.1f}", [](const Row& row) { return row.weather; }},
+         {"noise_per_pixel", "noise / px", "{:.1f}", [](const Row& row) { return row.noise; }},
+         {"light_per_pixel", "light / px", "{:.1f}", [](const Row& row) { return row.light; }}},
+        scene.rows);
 }
 
 nlohmann::json json_of(const CloudBenchScene& scene) {
-    nlohmann::json rows = nlohmann::json::array();
-    for (const CloudBenchRow& row : scene.rows) {
-        rows.push_back(
-            {{"technique", row.technique},
-             {"rmse", row.rmse},
-             {"relative_rmse", row.relative_rmse},
-             {"bias", row.bias},
-             {"ms", row.ms},
-             {"cpu_ms", row.cpu_ms},
-             {"per_pixel",
-              {{"turns", row.turns}, {"weather", row.weather}, {"noise", row.noise}, {"light", row.light}}}});
-    }
     const CloudPan& pan = scene.pan;
     return {{"preset", scene.preset},
             {"view", scene.view},
             {"reference_seconds", scene.reference_seconds},
             {"finding", finding(scene)},
-            {"rows", rows},
+            {"rows", json_of(table_of(scene))},
             {"pan",
              {{"full_ms", pan.full_ms},
               {"ms", pan.ms},
@@ -52,15 +42,13 @@ nlohmann::json json_of(const CloudBenchScene& scene) {
 }
 
 std::string page_of(const CloudBench& bench) {
-    const Machine& m = bench.machine;
     std::string text = page_head("Bruma: clouds, time against error", "Clouds: run time against error");
     text += fmt::format(
-        "<p class=\"soft\">{} \u00d7 {} pixels. {}, {} cores; {}. Bruma {}, {}.</p>\n<p>Errors are those of {} \u00d7 "
-        "{} "
-        "pixels in linear light against the double-precision march of the same field and the same model of light. "
-        "Milliseconds are numbers of this machine on this day; lookups are the same everywhere.</p>\n",
-        bench.options.pixels.x, bench.options.pixels.y, html_text(m.cpu), m.cores, html_text(m.renderer), m.version,
-        m.date, bench.options.reference_pixels.x, bench.options.reference_pixels.y);
+        "<p class=\"soft\">{} \u00d7 {} pixels. {}</p>\n<p>Errors are those of {} \u00d7 {} pixels in linear light "
+        "against the double-precision march of the same field and the same model of light. Milliseconds are numbers of "
+        "this machine on this day; lookups are the same everywhere.</p>\n",
+        bench.options.pixels.x, bench.options.pixels.y, machine_html(bench.machine), bench.options.reference_pixels.x,
+        bench.options.reference_pixels.y);
     for (const CloudBenchScene& scene : bench.scenes) {
         LogLogPlot plot{"lookups of noise and light per pixel", "RMSE", {}};
         for (std::size_t n = 0; n < scene.rows.size(); ++n) {
@@ -68,7 +56,8 @@ std::string page_of(const CloudBench& bench) {
             plot.lines.push_back({row.technique, {{row.noise + row.light, row.rmse}}, false, int(n % 6)});
         }
         text += fmt::format("<section><h2>{}, {}</h2>\n<div class=\"plots\">\n", scene.preset, scene.view);
-        text += figure("Error against lookups", svg_of(plot), finding(scene)) + "</div></section>\n";
+        text += figure("Error against lookups", svg_of(plot), finding(scene)) + "</div>\n" +
+                folded_html_of(table_of(scene)) + "</section>\n";
     }
     return text + "</body></html>\n";
 }
@@ -86,11 +75,11 @@ std::string finding(const CloudBenchScene& scene) {
 }
 
 void write_cloud_bench(const CloudBench& bench, const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);  // a folder that cannot be is told by the first file in it
+    std::vector<std::pair<std::string, BenchTable>> tables;
     nlohmann::json scenes = nlohmann::json::array();
     for (const CloudBenchScene& scene : bench.scenes) {
         scenes.push_back(json_of(scene));
+        tables.emplace_back(scene.preset + ", " + scene.view, table_of(scene));
     }
     const nlohmann::json document = {{"bench", "clouds"},
                                      {"machine", to_json(bench.machine)},
@@ -99,9 +88,9 @@ void write_cloud_bench(const CloudBench& bench, const std::filesystem::path& fol
                                        {"repeats", bench.options.repeats},
                                        {"quick", bench.options.quick}}},
                                      {"scenes", scenes}};
-    io::write_file_atomically(folder / "clouds.csv", csv_of(bench));
-    io::write_file_atomically(folder / "clouds.json", document.dump(1) + "\n");
-    io::write_file_atomically(folder / "clouds.html", page_of(bench));
+    write_bench_files(folder, {{"clouds.csv", csv_of(stacked("scene", tables))},
+                               {"clouds.json", document.dump(1) + "\n"},
+                               {"clouds.html", page_of(bench)}});
 }
 
 }  // namespace bruma::measure

@@ -20,18 +20,6 @@ using scene::LightResolution;
 constexpr std::array providers{LightProvider::direct, LightProvider::diffuse, LightProvider::paper,
                                LightProvider::shadow_rays};
 
-/// Radiance of the brightest channel that 99.5 % of all pixels keep below.
-double white_of(const Image& image) {
-    std::vector<double> brightest(image.pixel_count());
-    for (std::size_t n = 0; n < brightest.size(); ++n) {
-        const float* p = &image.rgba[4 * n];
-        brightest[n] = std::max({p[0], p[1], p[2]});
-    }
-    const auto nth = brightest.begin() + std::ptrdiff_t(0.995 * double(brightest.size() - 1));
-    std::nth_element(brightest.begin(), nth, brightest.end());
-    return *nth > 0.0 ? *nth : 1.0;
-}
-
 double mean_of(const Image& image) {
     double sum = 0.0;
     for (std::size_t n = 0; n < image.pixel_count(); ++n) {
@@ -57,8 +45,8 @@ Truth find_truth(const scene::Scene& scene, const LightBenchOptions& options, Li
         reference::render_scattering(scattering, pixels.x, pixels.y,
                                      {.paths = reference::LightPaths::multiple, .samples = options.reference_samples})};
     result.reference_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    result.single_white = white_of(truth.single.image);
-    result.multiple_white = white_of(truth.multiple.image);
+    result.single_white = display_white(truth.single.image);
+    result.multiple_white = display_white(truth.multiple.image);
     result.single_rms_error = truth.single.rms_error / result.single_white;
     result.multiple_rms_error = truth.multiple.rms_error / result.multiple_white;
     double variance = 0.0;  // channels of a pixel share their paths: as if they were one number
@@ -69,20 +57,6 @@ Truth find_truth(const scene::Scene& scene, const LightBenchOptions& options, Li
     result.multiple_bias_error = std::sqrt(variance) / double(truth.multiple.error.size()) / result.multiple_white;
     result.single_share = mean_of(truth.single.image) / std::max(1e-300, mean_of(truth.multiple.image));
     return truth;
-}
-
-LightError error_of(const Image& picture, const Image& truth, double white) {
-    LightError error;
-    double squares = 0.0, sum = 0.0;
-    for (std::size_t n = 0; n < truth.pixel_count(); ++n) {
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            const double difference = (double(picture.rgba[4 * n + channel]) - truth.rgba[4 * n + channel]) / white;
-            squares += difference * difference;
-            sum += difference;
-        }
-    }
-    const double count = 3.0 * double(truth.pixel_count());
-    return {std::sqrt(squares / count), sum / count};
 }
 
 /// All rows of one scene. Frames of emission and absorption alternate with those that are compared to them, so that
@@ -109,8 +83,8 @@ class Matrix {
                     row.settings.near_steps = near_steps;
                     lit_.set(provider, row.settings);
                     const Image picture = lit_.picture(options_.pixels);
-                    row.single = error_of(picture, truth.single.image, result.single_white);
-                    row.multiple = error_of(picture, truth.multiple.image, result.multiple_white);
+                    row.single = display_error(picture, truth.single.image, result.single_white);
+                    row.multiple = display_error(picture, truth.multiple.image, result.multiple_white);
                     row.cells = lit_.cells();
                     row.megabytes = lit_.megabytes();
                     if (built) {  // the lookup's samples change nothing of the light itself

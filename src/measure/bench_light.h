@@ -1,5 +1,6 @@
 #pragma once
 #include "measure/bench_volume.h"
+#include "measure/display_error.h"
 
 /// What light inside of volumes costs and how far it is from the truth, over the ways to compute it.
 namespace bruma::measure {
@@ -24,16 +25,10 @@ struct LightBenchOptions {
     std::function<void(const std::string&)> say = {};
 };
 
-/// Signed differences to a reference in units of its display range.
-struct LightError {
-    double rmse = 0.0;
-    double bias = 0.0;  ///< mean over pixels and channels
-};
-
 struct LightBenchRow {
     LightProvider provider = LightProvider::direct;
     scene::LightVolumeSettings settings;
-    LightError single, multiple;
+    DisplayError single, multiple;
     double build_ms = 0.0;          ///< light after a change of its direction or place; the medium stands ready
     double build_over_frame = 0.0;  ///< against an emission-absorption frame of `frame_pixels`
     double draw_ms = 0.0;

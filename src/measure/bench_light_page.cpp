@@ -9,10 +9,6 @@ namespace {
 
 using scene::LightResolution;
 
-std::string_view words_of(LightResolution resolution) {
-    return scene::enum_words<LightResolution>()[std::size_t(resolution)];
-}
-
 /// Error with two near steps against what it costs, one line per way, one point per resolution.
 template <class Error>
 LogLogPlot error_plot(const LightBenchScene& scene, const std::string& label, const Error& error) {
@@ -41,22 +37,6 @@ BarPlot draw_plot(const LightBenchScene& scene) {
     return plot;
 }
 
-std::string table_of(const LightBenchScene& scene) {
-    std::string text =
-        "<div class=\"wide\"><table><thead><tr><th>way<th>resolution<th>near steps<th>RMSE, single<th>bias, single"
-        "<th>RMSE, multiple<th>bias, multiple<th>build / frame<th>build ms<th>draw / frame<th>draw ms<th>dispatches"
-        "<th>cells<th>MB</tr></thead><tbody>\n";
-    for (const LightBenchRow& row : scene.rows) {
-        text += fmt::format("<tr><td>{}<td>{}<td>{}<td>{:.4f}<td>{:+.4f}<td>{:.4f}<td>{:+.4f}", words_of(row.provider),
-                            words_of(row.settings.resolution), row.settings.near_steps, row.single.rmse,
-                            row.single.bias, row.multiple.rmse, row.multiple.bias);
-        text +=
-            fmt::format("<td>{:.3f}<td>{:.1f}<td>{:.2f}<td>{:.1f}<td>{}<td>{}<td>{:.1f}</tr>\n", row.build_over_frame,
-                        row.build_ms, row.draw_over_frame, row.draw_ms, row.dispatches, row.cells, row.megabytes);
-    }
-    return text + "</tbody></table></div>\n";
-}
-
 std::string section(const LightBenchScene& scene, const LightBenchOptions& options) {
     std::string text = fmt::format(
         "<section><h2>{}</h2>\n<p>Display range is a radiance of {:.3g} for single and {:.3g} for multiple scattering. "
@@ -75,7 +55,7 @@ std::string section(const LightBenchScene& scene, const LightBenchOptions& optio
         svg_of(error_plot(scene, "RMSE, display range 1", [](const LightBenchRow& row) { return row.multiple.rmse; })),
         finding_multiple(scene));
     text += figure("What a picture costs", svg_of(draw_plot(scene)), finding_cost(scene));
-    return text + "</div>\n<details><summary>All numbers</summary>\n" + table_of(scene) + "</details></section>\n";
+    return text + "</div>\n" + folded_html_of(table_of(scene)) + "</section>\n";
 }
 
 std::string builds_of(const LightBench& bench) {
@@ -103,10 +83,9 @@ std::string batches_of(const LightBench& bench) {
 }  // namespace
 
 std::string page_of(const LightBench& bench) {
-    const Machine& m = bench.machine;
     std::string text = page_head("Bruma: light in volumes, cost against truth", "Light in volumes: cost against truth");
     text += fmt::format(
-        "<p class=\"soft\">{} \u00d7 {} pixels, {} rounds. {}, {} cores; {} ({}). Bruma {}, {}.</p>\n"
+        "<p class=\"soft\">{} \u00d7 {} pixels, {} rounds. {}</p>\n"
         "<p>Errors are differences of linear radiance without tone mapping, in units of display range: the 99.5th "
         "percentile, over all pixels, of the brightest channel of the reference. Single scattering is integrated by "
         "quadrature, multiple scattering is the mean of {} random paths per pixel; bias is the mean signed difference "
@@ -115,9 +94,8 @@ std::string page_of(const LightBench& bench) {
         "frame of the same scene by emission and absorption at {} \u00d7 {}, that of drawing the same at the size of "
         "the pictures. The plots are drawn with two near steps; along each line the resolution is full, half and "
         "quarter.</p>\n",
-        bench.options.pixels.x, bench.options.pixels.y, bench.options.repeats, html_text(m.cpu), m.cores,
-        html_text(m.renderer), html_text(m.driver), m.version, m.date, bench.options.reference_samples,
-        bench.options.frame_pixels.x, bench.options.frame_pixels.y);
+        bench.options.pixels.x, bench.options.pixels.y, bench.options.repeats, machine_html(bench.machine),
+        bench.options.reference_samples, bench.options.frame_pixels.x, bench.options.frame_pixels.y);
     for (const LightBenchScene& scene : bench.scenes) {
         text += section(scene, bench.options);
     }

@@ -2,10 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
-
-#include "io/atomic_file.h"
 
 namespace bruma::measure {
 namespace {
@@ -14,33 +11,7 @@ std::string_view resolution_of(const LightBenchRow& row) {
     return scene::enum_words<scene::LightResolution>()[std::size_t(row.settings.resolution)];
 }
 
-/// JSON knows no infinity.
-nlohmann::json number(double value) {
-    return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
-}
-
-nlohmann::json json_of_row(const LightBenchRow& row) {
-    return {{"way", words_of(row.provider)},
-            {"resolution", resolution_of(row)},
-            {"near_steps", row.settings.near_steps},
-            {"rmse_single", number(row.single.rmse)},
-            {"bias_single", number(row.single.bias)},
-            {"rmse_multiple", number(row.multiple.rmse)},
-            {"bias_multiple", number(row.multiple.bias)},
-            {"build_ms", row.build_ms},
-            {"build_over_frame", row.build_over_frame},
-            {"draw_ms", row.draw_ms},
-            {"draw_over_frame", row.draw_over_frame},
-            {"dispatches", row.dispatches},
-            {"cells", row.cells},
-            {"megabytes", row.megabytes}};
-}
-
 nlohmann::json json_of_scene(const LightBenchScene& scene) {
-    nlohmann::json rows = nlohmann::json::array();
-    for (const LightBenchRow& row : scene.rows) {
-        rows.push_back(json_of_row(row));
-    }
     return {{"name", scene.name},
             {"reference",
              {{"display_range_single", scene.single_white},
@@ -53,25 +24,38 @@ nlohmann::json json_of_scene(const LightBenchScene& scene) {
             {"frame_ms", scene.frame_ms},
             {"small_frame_ms", scene.small_frame_ms},
             {"findings", {finding_single(scene), finding_multiple(scene), finding_cost(scene)}},
-            {"rows", rows}};
+            {"rows", json_of(table_of(scene))}};
 }
 
 }  // namespace
 
+BenchTable table_of(const LightBenchScene& scene) {
+    using Row = LightBenchRow;
+    return bench_table<Row>(
+        {{"way", "way", {}, [](const Row& row) { return words_of(row.provider); }},
+         {"resolution", "resolution", {}, [](const Row& row) { return resolution_of(row); }},
+         {"near_steps", "near steps", {}, [](const Row& row) { return row.settings.near_steps; }},
+         {"rmse_single", "RMSE, single", "{:.4f}", [](const Row& row) { return row.single.rmse; }},
+         {"bias_single", "bias, single", "{:+.4f}", [](const Row& row) { return row.single.bias; }},
+         {"rmse_multiple", "RMSE, multiple", "{:.4f}", [](const Row& row) { return row.multiple.rmse; }},
+         {"bias_multiple", "bias, multiple", "{:+.4f}", [](const Row& row) { return row.multiple.bias; }},
+         {"standard_error_of_bias", "", {}, [&scene](const Row&) { return scene.multiple_bias_error; }},
+         {"build_ms", "build ms", "{:.1f}", [](const Row& row) { return row.build_ms; }},
+         {"build_over_frame", "build / frame", "{:.3f}", [](const Row& row) { return row.build_over_frame; }},
+         {"draw_ms", "draw ms", "{:.1f}", [](const Row& row) { return row.draw_ms; }},
+         {"draw_over_frame", "draw / frame", "{:.2f}", [](const Row& row) { return row.draw_over_frame; }},
+         {"dispatches", "dispatches", {}, [](const Row& row) { return row.dispatches; }},
+         {"cells", "cells", {}, [](const Row& row) { return row.cells; }},
+         {"megabytes", "MB", "{:.1f}", [](const Row& row) { return row.megabytes; }}},
+        scene.rows);
+}
+
 std::string csv_of(const LightBench& bench) {
-    std::string text =
-        "scene,way,resolution,near_steps,rmse_single,bias_single,rmse_multiple,bias_multiple,"
-        "standard_error_of_bias,build_ms,build_over_frame,draw_ms,draw_over_frame,dispatches,cells,megabytes\n";
+    std::vector<std::pair<std::string, BenchTable>> tables;
     for (const LightBenchScene& scene : bench.scenes) {
-        for (const LightBenchRow& row : scene.rows) {
-            text += fmt::format("\"{}\",\"{}\",{},{},{:.5g},{:.5g},{:.5g},{:.5g},{:.3g},", scene.name,
-                                words_of(row.provider), resolution_of(row), row.settings.near_steps, row.single.rmse,
-                                row.single.bias, row.multiple.rmse, row.multiple.bias, scene.multiple_bias_error);
-            text += fmt::format("{:.4g},{:.4g},{:.4g},{:.4g},{},{},{:.4g}\n", row.build_ms, row.build_over_frame,
-                                row.draw_ms, row.draw_over_frame, row.dispatches, row.cells, row.megabytes);
-        }
+        tables.emplace_back(scene.name, table_of(scene));
     }
-    return text;
+    return csv_of(stacked("scene", tables));
 }
 
 std::string json_of(const LightBench& bench) {
@@ -119,11 +103,8 @@ std::string json_of(const LightBench& bench) {
 }
 
 void write_light_bench(const LightBench& bench, const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);  // a folder that cannot be is told by the first file in it
-    io::write_file_atomically(folder / "light.csv", csv_of(bench));
-    io::write_file_atomically(folder / "light.json", json_of(bench));
-    io::write_file_atomically(folder / "light.html", page_of(bench));
+    write_bench_files(folder,
+                      {{"light.csv", csv_of(bench)}, {"light.json", json_of(bench)}, {"light.html", page_of(bench)}});
 }
 
 }  // namespace bruma::measure

@@ -3,9 +3,12 @@
 #include <string>
 
 #include "measure/bench_light.h"
+#include "measure/bench_table.h"
 
 namespace bruma::measure {
 
+/// All rows of a scene.
+BenchTable table_of(const LightBenchScene& scene);
 std::string csv_of(const LightBench& bench);
 std::string json_of(const LightBench& bench);
 /// A page with plots, findings and the tables; complete in itself.

@@ -5,6 +5,7 @@
 #include "measure/bench_findings.h"
 #include "measure/bench_html.h"
 #include "measure/bench_report.h"
+#include "measure/bench_table.h"
 #include "measure/plot.h"
 
 namespace bruma::measure {
@@ -112,10 +113,9 @@ std::string section(const VolumeBenchScene& scene) {
 }  // namespace
 
 std::string page_of(const VolumeBench& bench) {
-    const Machine& m = bench.machine;
     std::string text = page_head("Bruma: volumes, time against error", "Volumes: run time against error");
     text += fmt::format(
-        "<p class=\"soft\">{} pixels, {} rounds. {}, {} cores; {} ({}). Bruma {}, {}.</p>\n"
+        "<p class=\"soft\">{} pixels, {} rounds. {}</p>\n"
         "<p>Error is measured in linear light against the double-precision reference. Milliseconds are numbers of this "
         "machine on this day; the ratios are the claim: in every round the frames to be compared are drawn in turn, "
         "and "
@@ -123,7 +123,7 @@ std::string page_of(const VolumeBench& bench) {
         "pre-integrated, one voxel, skipping, stop below 1/1024. The two plots of error against cost are drawn with "
         "skipping and that stop, the convergence without a stop.</p>\n",
         fmt::format("{} \u00d7 {}", bench.options.pixels.x, bench.options.pixels.y), bench.options.repeats,
-        html_text(m.cpu), m.cores, html_text(m.renderer), html_text(m.driver), m.version, m.date);
+        machine_html(bench.machine));
     for (const VolumeBenchScene& scene : bench.scenes) {
         text += section(scene);
     }

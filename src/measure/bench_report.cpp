@@ -1,13 +1,10 @@
 #include "measure/bench_report.h"
 
-#include <fmt/core.h>
-
-#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "io/atomic_file.h"
 #include "io/json_fields.h"
 #include "measure/bench_findings.h"
+#include "measure/bench_table.h"
 
 namespace bruma::measure {
 namespace {
@@ -20,61 +17,50 @@ std::string_view classification_of(const VolumeBenchRow& row) {
     return scene::enum_words<scene::Classification>()[std::size_t(row.settings.classification)];
 }
 
-/// JSON knows no infinity.
-nlohmann::json number(double value) {
-    return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
-}
-
-nlohmann::json json_of_row(const VolumeBenchRow& row) {
-    nlohmann::json settings;
-    io::write_fields(row.settings, settings);
-    return {{"settings", settings},
-            {"rmse", number(row.error.rmse)},
-            {"relative_mse", number(row.error.relative_mse)},
-            {"largest_error", number(row.error.largest)},
-            {"psnr_db", number(row.error.psnr_db)},
-            {"flip", row.error.mean_flip},
-            {"non_finite_pixels", row.error.non_finite},
-            {"wall_ms", row.time.wall_ms},
-            {"cpu_ms", row.time.cpu_ms},
-            {"time_over_brute_force", row.time_over_brute},
-            {"cpu_over_brute_force", row.cpu_over_brute},
-            {"time_over_default", row.time_over_yardstick},
-            {"samples_per_pixel", row.samples_per_pixel},
-            {"emptiness_queries_per_pixel", row.queries_per_pixel},
-            {"skipped_share", row.skipped_share},
-            {"table_ms", row.table_ms},
-            {"same_bits_as_without_skipping", row.same_bits}};
+/// The page has a table of its own, with fewer columns.
+BenchTable table_of(const VolumeBenchScene& scene) {
+    using Row = VolumeBenchRow;
+    return bench_table<Row>(
+        {{"classification", "", {}, [](const Row& row) { return classification_of(row); }},
+         {"step_voxels", "", {}, [](const Row& row) { return row.settings.step; }},
+         {"skipping", "", {}, [](const Row& row) { return row.settings.empty_space_skipping; }},
+         {"stop_transmittance", "", {}, [](const Row& row) { return stop_of(row); }},
+         {"rmse", "", {}, [](const Row& row) { return row.error.rmse; }},
+         {"relative_mse", "", {}, [](const Row& row) { return row.error.relative_mse; }},
+         {"largest_error", "", {}, [](const Row& row) { return row.error.largest; }},
+         {"psnr_db", "", {}, [](const Row& row) { return row.error.psnr_db; }},
+         {"flip", "", {}, [](const Row& row) { return row.error.mean_flip; }},
+         {"non_finite_pixels", "", {}, [](const Row& row) { return row.error.non_finite; }},
+         {"wall_ms", "", {}, [](const Row& row) { return row.time.wall_ms; }},
+         {"cpu_ms", "", {}, [](const Row& row) { return row.time.cpu_ms; }},
+         {"time_over_brute_force", "", {}, [](const Row& row) { return row.time_over_brute; }},
+         {"cpu_over_brute_force", "", {}, [](const Row& row) { return row.cpu_over_brute; }},
+         {"time_over_default", "", {}, [](const Row& row) { return row.time_over_yardstick; }},
+         {"samples_per_pixel", "", {}, [](const Row& row) { return row.samples_per_pixel; }},
+         {"emptiness_queries_per_pixel", "", {}, [](const Row& row) { return row.queries_per_pixel; }},
+         {"skipped_share", "", {}, [](const Row& row) { return row.skipped_share; }},
+         {"table_ms", "", {}, [](const Row& row) { return row.table_ms; }},
+         {"same_bits_as_without_skipping", "", {}, [](const Row& row) { return row.same_bits; }},
+         {"reference_largest_error", "", {}, [&scene](const Row&) { return scene.reference_largest_error; }}},
+        scene.rows);
 }
 
 }  // namespace
 
 std::string csv_of(const VolumeBench& bench) {
-    std::string text =
-        "scene,classification,step_voxels,skipping,stop_transmittance,rmse,relative_mse,largest_error,psnr_db,flip,"
-        "wall_ms,cpu_ms,time_over_brute_force,cpu_over_brute_force,time_over_default,samples_per_pixel,"
-        "emptiness_queries_per_pixel,skipped_share,table_ms,same_bits_as_without_skipping,reference_largest_error\n";
+    std::vector<std::pair<std::string, BenchTable>> tables;
     for (const VolumeBenchScene& scene : bench.scenes) {
-        for (const VolumeBenchRow& row : scene.rows) {
-            text += fmt::format("\"{}\",{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.5g},{:.5g},", scene.name,
-                                classification_of(row), row.settings.step, int(row.settings.empty_space_skipping),
-                                stop_of(row), row.error.rmse, row.error.relative_mse, row.error.largest,
-                                row.error.psnr_db, row.error.mean_flip);
-            text += fmt::format("{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.5g},{:.5g},{:.5g},{:.4g},{},{:.4g}\n",
-                                row.time.wall_ms, row.time.cpu_ms, row.time_over_brute, row.cpu_over_brute,
-                                row.time_over_yardstick, row.samples_per_pixel, row.queries_per_pixel,
-                                row.skipped_share, row.table_ms, int(row.same_bits), scene.reference_largest_error);
-        }
+        tables.emplace_back(scene.name, table_of(scene));
     }
-    return text;
+    return csv_of(stacked("scene", tables));
 }
 
 std::string json_of(const VolumeBench& bench) {
     nlohmann::json scenes = nlohmann::json::array();
     for (const VolumeBenchScene& scene : bench.scenes) {
-        nlohmann::json rows = nlohmann::json::array();
-        for (const VolumeBenchRow& row : scene.rows) {
-            rows.push_back(json_of_row(row));
+        nlohmann::json rows = json_of(table_of(scene));
+        for (std::size_t n = 0; n < rows.size(); ++n) {
+            io::write_fields(scene.rows[n].settings, rows[n]["settings"]);
         }
         scenes.push_back(
             {{"name", scene.name},
@@ -100,11 +86,8 @@ std::string json_of(const VolumeBench& bench) {
 }
 
 void write_volume_bench(const VolumeBench& bench, const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);  // a folder that cannot be is told by the first file in it
-    io::write_file_atomically(folder / "volume.csv", csv_of(bench));
-    io::write_file_atomically(folder / "volume.json", json_of(bench));
-    io::write_file_atomically(folder / "volume.html", page_of(bench));
+    write_bench_files(
+        folder, {{"volume.csv", csv_of(bench)}, {"volume.json", json_of(bench)}, {"volume.html", page_of(bench)}});
 }
 
 }  // namespace bruma::measure

@@ -19,6 +19,7 @@ struct StressVerdict {
 struct StressOptions {
     std::string only;  ///< groups or names that contain this; empty: all
     int random_scenes = 300;
+    int pieces = 2000;                                   ///< of the mesh that falls into many
     std::function<void(const StressVerdict&)> say = {};  ///< told each verdict as it falls
 };
 
@@ -28,6 +29,8 @@ std::vector<StressVerdict> run_volume_stress(const StressOptions& options);
 std::vector<StressVerdict> run_light_stress(const StressOptions& options);
 /// All cases of the suite 'clouds'.
 std::vector<StressVerdict> run_cloud_stress(const StressOptions& options);
+/// All cases of the suite 'mesh': surfaces, and light inside translucent ones.
+std::vector<StressVerdict> run_mesh_stress(const StressOptions& options);
 
 /// 'ok   values/noise  0 and 255 at random: 1.2e-3 (at most 4e-3)'.
 std::string line_of(const StressVerdict& verdict);

@@ -108,23 +108,39 @@ glm::dvec2 CoreTailDensity::sample(double u, double v) const {
 }
 
 BackLitDensity::BackLitDensity(const SubsurfaceMedium& medium, double depth, BoundingDisk disk)
-    : around_(medium, disk.radius), disk_(disk), uniform_share_(depth < 0.25 * disk.radius ? 0.25 : 0.5) {
+    : around_(medium, disk.radius), disk_(disk) {
+    const bool is_thin = depth < 0.25 * disk.radius;
+    uniform_share_ = is_thin ? 0.25 : 0.2;
+    hemisphere_share_ = is_thin ? 0.0 : 0.5;
     for (std::size_t core = 3; core < 6; ++core) {
-        around_.rates_[core] = std::min(around_.rates_[core], 1.0 / depth);
+        around_.rates_[core] = std::min(around_.rates_[core], (is_thin ? 1.0 : 2.0) / depth);
     }
 }
 
+double BackLitDensity::disk_pdf(glm::dvec2 d) const {
+    const double share = glm::length(d - disk_.centre) / disk_.radius;
+    if (share > 1.0) {
+        return 0.0;
+    }
+    // Infinite at the rim, where a sample then weighs nothing.
+    const double slope = std::sqrt(1.0 - share * share);
+    return (uniform_share_ + 0.5 * hemisphere_share_ / slope) / (pi * disk_.radius * disk_.radius);
+}
+
 double BackLitDensity::pdf(glm::dvec2 d) const {
-    const double uniform =
-        glm::length(d - disk_.centre) <= disk_.radius ? 1.0 / (pi * disk_.radius * disk_.radius) : 0.0;
-    return uniform_share_ * uniform + (1.0 - uniform_share_) * around_.pdf(d);
+    return disk_pdf(d) + (1.0 - uniform_share_ - hemisphere_share_) * around_.pdf(d);
 }
 
 glm::dvec2 BackLitDensity::sample(double u, double v) const {
     if (u < uniform_share_) {
         return disk_.centre + disk_.radius * uniform_disk_point(u / uniform_share_, v);
     }
-    return around_.sample((u - uniform_share_) / (1.0 - uniform_share_), v);
+    u -= uniform_share_;
+    if (u < hemisphere_share_) {
+        const double height = 1.0 - u / hemisphere_share_;  // uniform on a hemisphere
+        return disk_.centre + disk_.radius * uniform_disk_point(1.0 - height * height, v);
+    }
+    return around_.sample((u - hemisphere_share_) / (1.0 - uniform_share_ - hemisphere_share_), v);
 }
 
 bool is_back_lit(const SubsurfaceMedium& medium, double depth) {

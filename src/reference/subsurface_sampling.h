@@ -62,20 +62,26 @@ struct BoundingDisk {
     double radius = 1.0;
 };
 
-/// For x_o at depth h below the lit surface: core + tail with cores no narrower than h, mixed with uniform points in
-/// the bounding disk, since from behind a body all of its lit side is seen alike.
+/// For x_o at depth h below the lit surface: core + tail with cores no narrower than h, or h / 2 in thick parts, mixed
+/// with uniform points in the bounding disk, since from behind a body all of its lit side is seen alike. In thick parts
+/// (h at least a quarter of the disk's radius) points that would be uniform on a lit hemisphere over the disk are mixed
+/// in: the rim of the lit side is nearest to what lies behind it.
 class BackLitDensity {
   public:
     BackLitDensity(const SubsurfaceMedium& medium, double depth, BoundingDisk disk);
     double pdf(glm::dvec2 d) const;
     glm::dvec2 sample(double u, double v) const;
-    /// Share of uniform points: 1/2, or 1/4 in thin parts.
+    /// Share of uniform points: 1/5, or 1/4 in thin parts.
     double uniform_share() const { return uniform_share_; }
+    /// Share of points on the hemisphere: 1/2, or none in thin parts.
+    double hemisphere_share() const { return hemisphere_share_; }
+    /// What both of these add to `pdf`.
+    double disk_pdf(glm::dvec2 d) const;
 
   private:
     CoreTailDensity around_;
     BoundingDisk disk_;
-    double uniform_share_;
+    double uniform_share_, hemisphere_share_;
 };
 
 /// Whether x_o at depth h along the light is to be sampled by BackLitDensity.

@@ -34,7 +34,9 @@ glm::dmat3 rotation_of(const glm::dmat3& linear) {
 /// Widens the view by `spare_texels` on each side and says how large a texel
 /// then is.
 void spare(MapCamera& camera, int size) {
-    const glm::dvec2 extent = glm::max(camera.high - camera.low, glm::dvec2(1e-6 * (camera.depth + 1e-30)));
+    // No narrower than a millionth of how deep the body is; across a perspective view lengths are tangents.
+    const double unit = camera.perspective ? std::max(camera.near_depth + camera.depth, 1e-30) : 1.0;
+    const glm::dvec2 extent = glm::max(camera.high - camera.low, glm::dvec2(1e-6 * (camera.depth + 1e-30) / unit));
     const glm::dvec2 margin = extent * (spare_texels / std::max(1.0, size - 2.0 * spare_texels));
     const glm::dvec2 middle = 0.5 * (camera.low + camera.high);
     camera.low = middle - 0.5 * extent - margin;

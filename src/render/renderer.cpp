@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/log.h"
+#include "render/far_lamps.h"
 #include "render/view_rays.h"
 #include "scene/sun_lamp.h"
 
@@ -146,18 +147,20 @@ void Renderer::update_meshes(const scene::Scene& scene, const std::vector<std::s
         }
         passes->update(std::get<scene::Mesh>(scene.nodes.at(name).content));
     }
+    const std::optional<scene::Scene> parallel = with_far_lamps_parallel(scene);
+    const scene::Scene& lit = parallel ? *parallel : scene;
     std::vector<scene::Light> lights;
-    for (const std::string& name : order_lights(scene)) {
-        lights.push_back(*scene.lights.at(name));
+    for (const std::string& name : order_lights(lit)) {
+        lights.push_back(*lit.lights.at(name));
     }
-    update_translucent(scene, shown, lights, view);
-    if (casts_shadows(scene)) {
+    update_translucent(lit, shown, lights, view);
+    if (casts_shadows(lit)) {
         if (!shadows_) {
             shadows_ = std::make_unique<ShadowPass>(graph_, shaders_);
         }
-        shadows_->update(scene, meshes_, lights);
+        shadows_->update(lit, meshes_, lights);
     }
-    opaque_->update(scene, meshes_, translucents_, shadows_ ? shadows_->maps : Handle<ShadowMaps>{}, view.pixels,
+    opaque_->update(lit, meshes_, translucents_, shadows_ ? shadows_->maps : Handle<ShadowMaps>{}, view.pixels,
                     sky_ ? sky_->light : Handle<SkyLight>{});
 }
 
@@ -191,6 +194,7 @@ std::optional<TranslucentStanding> Renderer::translucent_standing() const {
         if (const RadiosityMaps* const maps = passes->standing()) {
             standing.passes = std::min(standing.passes, maps->passes);
             standing.noise = std::max(standing.noise, maps->noise);
+            standing.evaluations += maps->evaluations;
             standing.settled = standing.settled && passes->settled();
         }
     }

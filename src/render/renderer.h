@@ -39,6 +39,7 @@ struct TranslucentStanding {
     int passes = 0;                   ///< over its maps
     double noise = 0.0;               ///< standard error, share of the local value; 1e30: not known yet
     bool settled = false;             ///< all of them are below the noise that was asked for
+    std::uint64_t evaluations = 0;    ///< of the BSSRDF, in the passes over the maps of all of them
     std::uint32_t unseen_pixels = 0;  ///< that no map sees well, so that their light is worked out one by one
 };
 

@@ -245,6 +245,26 @@ void remark_losses(const MeshParts& parts, std::vector<std::string>& remarks) {
     }
 }
 
+std::string nothing_to_show(const MeshParts& parts) {
+    std::string lost;
+    const auto add = [&](std::size_t count, std::string_view what) {
+        if (count > 0) {
+            lost += fmt::format("{}{} {}", lost.empty() ? "" : ", ", count, what);
+        }
+    };
+    add(parts.faces_of_few_corners, "with less than three corners");
+    add(parts.faces_out_of_range, "with corners that do not exist");
+    add(parts.faces_not_finite, "with corners that are no finite numbers");
+    if (lost.empty()) {
+        return fmt::format(
+            "{}: holds no faces, so there is nothing to show; found {}, and lines and points are not drawn; export it "
+            "with its faces",
+            parts.where, counted(parts.positions.size(), "vertex position"));
+    }
+    return fmt::format("{}: none of its faces can be shown: {}{}; is the file complete?", parts.where, lost,
+                       parts.first_left_out.empty() ? "" : ", the first in " + parts.first_left_out);
+}
+
 MeshReport report_of(const MeshParts& parts) {
     std::vector<glm::uvec3> triangles;
     triangles.reserve(parts.triangles.size());
@@ -298,13 +318,7 @@ LoadedMesh make_mesh(const MeshParts& parts, const MeshSource& source, double sa
     loaded.normals = parts.normals.size();
     remark_losses(parts, loaded.remarks);
     if (parts.triangles.empty()) {
-        const std::size_t lost = parts.faces_of_few_corners + parts.faces_out_of_range + parts.faces_not_finite;
-        throw InputError(lost == 0 ? fmt::format("{}: holds no faces, so there is nothing to show", parts.where)
-                                   : fmt::format("{}: none of its faces can be shown: {} with less than three corners, "
-                                                 "{} with corners that do not exist, {} with corners that are no "
-                                                 "finite numbers; is the file complete?",
-                                                 parts.where, parts.faces_of_few_corners, parts.faces_out_of_range,
-                                                 parts.faces_not_finite));
+        throw InputError(nothing_to_show(parts));
     }
     loaded.report = report_of(parts);
     const glm::dvec3 extent = loaded.report.high - loaded.report.low;

@@ -33,6 +33,7 @@ struct MeshParts {
     std::size_t faces_of_few_corners = 0;  ///< less than three: left out
     std::size_t faces_out_of_range = 0;    ///< with a corner that does not exist: left out
     std::size_t faces_not_finite = 0;      ///< with a corner that is no finite number: left out
+    std::string first_left_out;       ///< where the first such face stands in the file, as "line 7"; empty: not known
     std::size_t lost_attributes = 0;  ///< corners whose texture coordinate or normal does not exist, used without it
 
     enum class Verdict { good, few_corners, out_of_range, not_finite };

@@ -145,11 +145,28 @@ void check(const Scene& scene) {
             check(*clouds->layer, "nodes." + name);
         }
     }
+    for (const auto& [name, node] : scene.nodes) {
+        const double volume = glm::determinant(glm::dmat3(world_from_model(scene, name)));
+        if (!std::isfinite(volume) || volume == 0.0) {
+            throw InputError(
+                fmt::format("nodes.{}: with its parents it is scaled to {:g} times its volume, which cannot be undone; "
+                            "bring their scales nearer to 1",
+                            name, std::abs(volume)));
+        }
+    }
     for (const auto& [name, light] : scene.lights) {
         const bool aimed = light->kind == LightKind::directional || light->kind == LightKind::spot;
-        if (aimed && !(glm::length(light->direction_world) > 0.0)) {
+        const glm::dvec3 way = light->direction_world;
+        const double length = glm::length(way);
+        if (aimed && !(length > 0.0 && std::isfinite(length))) {
             throw InputError(
-                fmt::format("lights.{}.direction: (0, 0, 0) points nowhere; give the way to the light", name));
+                fmt::format("lights.{}.direction: ({:g}, {:g}, {:g}) points nowhere; give the way to the light, of any "
+                            "length around 1",
+                            name, way.x, way.y, way.z));
+        }
+        if (const glm::dvec3 place = light->position_world; has_position(*light) && !all_finite(place)) {
+            throw InputError(fmt::format("lights.{}.position: ({:g}, {:g}, {:g}) is no place; give finite numbers",
+                                         name, place.x, place.y, place.z));
         }
     }
     if (scene.outdoors) {

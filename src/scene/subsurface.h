@@ -19,6 +19,17 @@ inline std::span<const std::string_view> enum_words<SubsurfaceModel>() {
     return words;
 }
 
+/// The densities from which points where light enters are drawn.
+enum class SubsurfaceSampling {
+    core_tail,        ///< as narrow as the peak of the model and as wide as its tail; another one behind the body
+    exponential_disk  ///< as published with the maps: e^(-sigma_tr rho) of the colour that spreads furthest
+};
+template <>
+inline std::span<const std::string_view> enum_words<SubsurfaceSampling>() {
+    static constexpr std::array<std::string_view, 2> words{"core_tail", "exponential_disk"};
+    return words;
+}
+
 /// How the light inside a translucent mesh is computed: scattered radiosity maps (Dal Corso, Frisvad, Mosegaard,
 /// Baerentzen, "Interactive Directional Subsurface Scattering and Transport of Emergent Light", 2016).
 struct SubsurfaceSettings {
@@ -27,9 +38,10 @@ struct SubsurfaceSettings {
     std::int64_t map_size = 256;         ///< texels along an edge of each
     std::int64_t light_map_size = 1024;  ///< texels along an edge of what each lamp sees
     std::int64_t samples = 8;            ///< points of light per lamp, texel and pass
-    double noise = 0.01;                 ///< passes are added until the standard error is below this share of the value
-    bool highlight = true;               ///< reflection at the surface on top
-    bool unscattered = true;             ///< what shines straight through thin and weak matter
+    SubsurfaceSampling sampling = SubsurfaceSampling::core_tail;
+    double noise = 0.01;      ///< passes are added until the standard error is below this share of the value
+    bool highlight = true;    ///< reflection at the surface on top
+    bool unscattered = true;  ///< what shines straight through thin and weak matter
     bool operator==(const SubsurfaceSettings&) const = default;
 };
 
@@ -71,6 +83,10 @@ void visit_fields(Self& settings, Visitor&& visit) {
                 .panel_min = 1,
                 .panel_max = 64},
           settings.samples);
+    visit(Field{.name = "sampling",
+                .sentence = "where these points are drawn; core_tail: where the model needs them; exponential_disk: as "
+                            "published, for comparison"},
+          settings.sampling);
     visit(Field{.name = "noise",
                 .sentence = "no more passes once the standard error is below this share of the local value",
                 .min = 0.0,

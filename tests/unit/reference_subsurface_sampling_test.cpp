@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "reference/random.h"
+#include "reference/subsurface_noise.h"
 #include "reference/subsurface_sampling.h"
 #include "subsurface_truth.h"
 
@@ -112,7 +113,8 @@ TEST(SubsurfaceSampling, SamplesFollowTheirDensities) {
         const ExponentialDisk disk = ExponentialDisk::published(material.medium, 1e3);
         expect_samples_follow(disk, 1, disk.radius(), material.name);
         for (const double depth : {1.0, 8.0}) {
-            expect_samples_follow(BackLitDensity(material.medium, depth, {{3.0, -2.0}, 10.0}), 256, 9.0, material.name);
+            // Short of the disk's rim, where the density is infinite.
+            expect_samples_follow(BackLitDensity(material.medium, depth, {{3.0, -2.0}, 10.0}), 256, 6.0, material.name);
         }
     }
 }
@@ -122,14 +124,22 @@ TEST(SubsurfaceSampling, BackLitDensityIntegratesToOne) {
     for (const Material& material : materials()) {
         const BoundingDisk outline{{3.0, -2.0}, 10.0};
         const BackLitDensity density(material.medium, 6.0, outline);
-        EXPECT_EQ(density.uniform_share(), 0.5);
-        EXPECT_EQ(BackLitDensity(material.medium, 2.4, outline).uniform_share(), 0.25);
-        const double uniform = density.uniform_share() / (pi * outline.radius * outline.radius);
+        const BackLitDensity thin(material.medium, 2.4, outline);
+        EXPECT_EQ(thin.uniform_share(), 0.25);
+        EXPECT_EQ(thin.hemisphere_share(), 0.0);
+        EXPECT_EQ(thin.disk_pdf({0.0, 0.0}), 0.25 / (pi * 100.0));
+        // rho = radius sqrt(1 - w^2) takes the infinite rim away.
+        static const GaussLegendre rule(24);
+        const double in_disk = rule.integrate(0.0, 1.0, [&](double w) {
+            const glm::dvec2 d(outline.radius * std::sqrt(1.0 - w * w), 0.0);
+            return 2.0 * pi * outline.radius * outline.radius * w * density.disk_pdf(outline.centre + d);
+        });
+        EXPECT_NEAR(in_disk, density.uniform_share() + density.hemisphere_share(), 1e-9) << material.name;
         const double around = integrate_plane(0.05, 1e-3, [&](double rho) {
             const glm::dvec2 d(-rho, 0.0);
-            return density.pdf(d) - (glm::length(d - outline.centre) <= outline.radius ? uniform : 0.0);
+            return density.pdf(d) - density.disk_pdf(d);
         });
-        EXPECT_NEAR(around, 1.0 - density.uniform_share(), 1e-6) << material.name;
+        EXPECT_NEAR(around, 1.0 - in_disk, 1e-6) << material.name;
         EXPECT_FALSE(is_back_lit(material.medium, 0.0));
         EXPECT_TRUE(is_back_lit(material.medium, 40.0));
     }
@@ -143,21 +153,6 @@ TEST(SubsurfaceSampling, NoAbsorptionKeepsTheTailFinite) {
     EXPECT_LE(ExponentialDisk::published(spectralon, 50.0).cut_to(50.0).radius(), 100.0);
     const glm::dvec2 last = density.sample(1.0 - 0x1p-53, 0.5);
     EXPECT_TRUE(std::isfinite(last.x) && std::isfinite(last.y));
-}
-
-/// Standard deviation of T_12 S_d / p over its mean, for a flat half-space in normal light.
-template <class Density>
-double flat_deviation(const Dipole& dipole, double eta, double rate, const Density& density, double end = 1e300) {
-    const double finest = 1e-3 * dipole.diffusion().d;
-    const auto s = [&](double rho) { return flat_s_d(dipole, eta, 0.0, rho, 0.0); };
-    const double mean = integrate_plane(rate, finest, s, end);
-    const double square = integrate_plane(
-        rate, finest,
-        [&](double rho) {
-            return s(rho) * s(rho) / density.pdf({rho, 0.0});
-        },
-        end);
-    return std::sqrt(square / (mean * mean) - 1.0);
 }
 
 TEST(SubsurfaceSampling, NoiseOnALitSlabIsThatOfItsTable) {
@@ -179,8 +174,8 @@ TEST(SubsurfaceSampling, NoiseOnALitSlabIsThatOfItsTable) {
         for (int c = 0; c < 3; ++c) {
             const Dipole dipole(medium.channel(c), SubsurfaceModel::directional_dipole);
             const double rate = std::min(disk.rate(), dipole.diffusion().sigma_tr);
-            const double by_disk = flat_deviation(dipole, medium.eta, rate, disk, disk.radius());
-            const double by_core_tail = flat_deviation(dipole, medium.eta, rate, core_tail);
+            const double by_disk = lit_slab_moments(dipole, rate, pdf_of(disk), disk.radius()).deviation();
+            const double by_core_tail = lit_slab_moments(dipole, rate, pdf_of(core_tail)).deviation();
             EXPECT_NEAR(by_disk, rows[m].disk[c], 0.05 * rows[m].disk[c]) << all[m].name << c;
             EXPECT_NEAR(by_core_tail, rows[m].core_tail[c], 0.02 * rows[m].core_tail[c] + 0.005) << all[m].name << c;
             const double fewer = by_disk * by_disk / (by_core_tail * by_core_tail);
@@ -193,49 +188,6 @@ TEST(SubsurfaceSampling, NoiseOnALitSlabIsThatOfItsTable) {
     }
 }
 
-/// T_12 S_d on a sphere around the origin lit along +z, for a point of the light plane at `across`; 0 beside the
-/// sphere.
-double sphere_kernel(const Dipole& dipole, double eta, double radius, glm::dvec2 across, const SurfacePoint& exit) {
-    const double height2 = radius * radius - glm::dot(across, across);
-    if (height2 <= 0.0) {
-        return 0.0;
-    }
-    const SurfacePoint entry{{across, std::sqrt(height2)}, glm::dvec3(across, std::sqrt(height2)) / radius};
-    return fresnel_transmittance(entry.normal.z, eta) * dipole.s_d(entry, refract_into(up, entry.normal, eta), exit);
-}
-
-struct Moments {
-    double mean = 0.0, square = 0.0;
-    double deviation() const { return std::sqrt(square / (mean * mean) - 1.0); }
-};
-/// Integrals of S and of S^2 / p over the light plane, in polar coordinates about the disk's centre.
-template <class Density>
-Moments sphere_moments(const Dipole& dipole, double eta, double radius, const SurfacePoint& exit,
-                       const Density& density) {
-    static const GaussLegendre rule(96);
-    constexpr int azimuths = 128;
-    Moments moments;
-    for (std::size_t n = 0; n < rule.node.size(); ++n) {
-        // The rim of the sphere has a square-root edge: rho = radius (1 - t^2).
-        const double t = rule.node[n];
-        const double rho = radius * (1.0 - t * t);
-        const double ring = rule.weight[n] * 2.0 * radius * t * rho * 2.0 * pi / azimuths;
-        for (int k = 0; k < azimuths; ++k) {
-            const double phi = 2.0 * pi * (k + 0.5) / azimuths;
-            const glm::dvec2 across = rho * glm::dvec2(std::cos(phi), std::sin(phi));
-            const double s = sphere_kernel(dipole, eta, radius, across, exit);
-            moments.mean += ring * s;
-            moments.square += ring * s * s / density.pdf(across - glm::dvec2(exit.position));
-        }
-    }
-    return moments;
-}
-
-SurfacePoint on_sphere(double radius, double cosine) {
-    const glm::dvec3 normal(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
-    return {radius * normal, normal};
-}
-
 TEST(SubsurfaceSampling, NoiseBehindASphereIsThatOfItsTable) {
     struct Row {
         const char* name;
@@ -244,12 +196,12 @@ TEST(SubsurfaceSampling, NoiseBehindASphereIsThatOfItsTable) {
         double disk[3], back_lit[3];
     };
     const Row rows[] = {
-        {"marble, back pole", marble(), 10.0, -1.0, {1.8, 1.8, 2.0}, {0.84, 0.91, 0.99}},
-        {"marble, -0.5", marble(), 10.0, -0.5, {2.3, 2.7, 3.2}, {1.1, 1.4, 1.7}},
-        {"cream, back pole", cream(), 10.0, -1.0, {2.7, 2.9, 3.3}, {0.85, 0.99, 1.2}},
-        {"potato, back pole", potato(), 10.0, -1.0, {2.5, 2.6, 3.3}, {0.79, 0.85, 1.3}},
-        {"skin1, back pole", skin1(), 10.0, -1.0, {1.6, 2.8, 4.8}, {1.1, 1.9, 3.2}},
-        {"ketchup, back pole", ketchup(), 5.0, -1.0, {1.7, 3.5, 5.0}, {0.79, 2.0, 2.8}},
+        {"marble, back pole", marble(), 10.0, -1.0, {1.8, 1.8, 2.0}, {0.55, 0.56, 0.59}},
+        {"marble, -0.5", marble(), 10.0, -0.5, {2.3, 2.7, 3.2}, {0.93, 1.11, 1.35}},
+        {"cream, back pole", cream(), 10.0, -1.0, {2.7, 2.9, 3.3}, {0.55, 0.59, 0.70}},
+        {"potato, back pole", potato(), 10.0, -1.0, {2.5, 2.6, 3.3}, {0.55, 0.56, 0.74}},
+        {"skin1, back pole", skin1(), 10.0, -1.0, {1.6, 2.8, 4.8}, {0.64, 0.98, 1.64}},
+        {"ketchup, back pole", ketchup(), 5.0, -1.0, {1.7, 3.5, 5.0}, {0.59, 1.02, 1.40}},
     };
     for (const Row& row : rows) {
         const SurfacePoint exit = on_sphere(row.radius, row.cosine);
@@ -259,20 +211,19 @@ TEST(SubsurfaceSampling, NoiseBehindASphereIsThatOfItsTable) {
         ASSERT_TRUE(is_back_lit(row.medium, depth));
         for (int c = 0; c < 3; ++c) {
             const Dipole dipole(row.medium.channel(c), SubsurfaceModel::directional_dipole);
-            const double by_disk = sphere_moments(dipole, row.medium.eta, row.radius, exit, disk).deviation();
-            const double by_back = sphere_moments(dipole, row.medium.eta, row.radius, exit, back).deviation();
+            const double by_disk = sphere_moments(dipole, row.medium.eta, row.radius, exit, pdf_of(disk)).deviation();
+            const double by_back = sphere_moments(dipole, row.medium.eta, row.radius, exit, pdf_of(back)).deviation();
             // Two printed digits of a sum over texels; ours does not move by 1 % under a finer rule.
             EXPECT_NEAR(by_disk, row.disk[c], 0.08 * row.disk[c]) << row.name << c;
             EXPECT_NEAR(by_back, row.back_lit[c], 0.08 * row.back_lit[c]) << row.name << c;
             const double fewer = by_disk * by_disk / (by_back * by_back);
             const ExponentialDisk cut = disk.cut_to(row.radius);
-            const double by_cut = sphere_moments(dipole, row.medium.eta, row.radius, exit, cut).deviation();
+            const double by_cut = sphere_moments(dipole, row.medium.eta, row.radius, exit, pdf_of(cut)).deviation();
             std::printf(
                 "    %-18s channel %d: %6.2f times fewer evaluations for the same noise, %.2f than the cut disk\n",
                 row.name, c, fewer, by_cut * by_cut / (by_back * by_back));
-            if (row.name[0] == 'm' || row.name[0] == 'c') {
-                EXPECT_GE(fewer, 3.0) << row.name << c;
-            }
+            // Even beside the disk that nothing of is drawn beside the body in vain.
+            EXPECT_GE(by_cut * by_cut / (by_back * by_back), 3.0) << row.name << c;
         }
     }
 }
@@ -285,7 +236,7 @@ TEST(SubsurfaceSampling, EveryChoiceIsUnbiasedBehindASphere) {
         const SurfacePoint exit = on_sphere(radius, cosine);
         const BackLitDensity back(medium, -2.0 * exit.position.z, {-glm::dvec2(exit.position), radius});
         const CoreTailDensity core_tail(medium, radius);
-        const double truth = sphere_moments(dipole, medium.eta, radius, exit, back).mean;
+        const double truth = sphere_moments(dipole, medium.eta, radius, exit, pdf_of(back)).mean;
         const auto ratio = [&](const auto& density, double deviation) {
             constexpr int count = 40000;
             double sum = 0.0;

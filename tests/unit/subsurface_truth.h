@@ -8,6 +8,7 @@
 
 #include "reference/dipole.h"
 #include "reference/gauss_legendre.h"
+#include "reference/plane_integral.h"
 #include "reference/ray_mesh.h"
 
 /// Materials and shapes for tests of subsurface scattering, with values from a program that shares no code with ours.
@@ -336,22 +337,6 @@ constexpr std::array<SphereTruth, 3> sphere_truths{{
      {0.00238, 0.00091, 0.00089, 0.00087, 0.00089, 0.00095, 0.00100, 0.00105, 0.00108, 0.00111},
      {0.04613, 0.05492, 0.06690, 0.08628, 0.11412, 0.14551, 0.17414, 0.19242, 0.19951, 0.19861}},
 }};
-
-/// Integral of f(rho) 2 pi rho over the plane, or a disk, for f that decays like e^(-rate rho) and is smooth on the
-/// scale of its distance from 0: Gauss-Legendre panels that widen by halves.
-template <class Function>
-double integrate_plane(double rate, double finest, const Function& f, double radius = 1e300) {
-    static const GaussLegendre rule(12);
-    const double end = std::min(radius, 60.0 / rate);
-    double sum = 0.0;
-    double from = 0.0;
-    while (from < end) {
-        const double to = std::min(end, std::max(finest, 1.5 * from));
-        sum += rule.integrate(from, to, [&](double rho) { return 2.0 * std::numbers::pi * rho * f(rho); });
-        from = to;
-    }
-    return sum;
-}
 
 /// S_d of a flat half-space z < 0 under light at this angle, at the offset of polar coordinates (rho, phi).
 inline double flat_s_d(const Dipole& dipole, double eta, double angle_deg, double rho, double phi) {

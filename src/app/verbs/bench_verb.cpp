@@ -14,6 +14,7 @@
 #include "measure/bench_findings.h"
 #include "measure/bench_frames.h"
 #include "measure/bench_light_report.h"
+#include "measure/bench_mesh_report.h"
 #include "measure/bench_report.h"
 
 namespace bruma::app {
@@ -96,6 +97,46 @@ int bench_light(const BenchArguments& arguments, const std::vector<std::string>&
     }
     fmt::print("{}\ntimes are numbers of this machine; written: {}\n", measure::finding_batches(bench),
                (std::filesystem::path(arguments.output) / "light.html").string());
+    return int(ExitCode::done);
+}
+
+int bench_mesh(const BenchArguments& arguments, const std::vector<std::string>& command_line) {
+    io::require_writable_folder(arguments.output);
+    const glm::ivec2 pixels = arguments.scene.pixels();
+    const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
+    measure::MeshBenchOptions options;
+    options.pixels = pixels;
+    options.repeats = arguments.repeats;
+    options.quick = arguments.quick;
+    options.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+    std::vector<measure::BenchScene> scenes = measure::default_mesh_scenes(double(pixels.x) / pixels.y);
+    if (options.quick) {
+        scenes.resize(1);
+        options.frame_pixels = {128, 128};
+        options.photons = 20'000;
+        options.reference_tolerance = 5e-2;
+    }
+    for (const std::string& file : arguments.scene.files) {
+        scenes.push_back({scene_name(file), open_one(arguments, file)});
+        measure::make_mesh_scene(file, scenes.back().scene);
+    }
+    const measure::MeshBench bench = measure::run_mesh_bench(scenes, options);
+    measure::write_mesh_bench(bench, arguments.output);
+    for (const measure::MeshBenchScene& scene : bench.scenes) {
+        fmt::print("{}: {}\n", scene.name, measure::finding_quadrature(scene));
+        fmt::print("{}: {}\n", scene.name, measure::finding_maps(scene));
+        fmt::print("{}: {}\n", scene.name, measure::finding_walk(scene));
+        fmt::print("{}: {}\n", scene.name, measure::finding_combination(scene));
+    }
+    for (const std::string material : {"cream", "marble"}) {
+        fmt::print("{}\n", measure::finding_noise(bench.noise, material, true));
+        fmt::print("{}\n", measure::finding_noise(bench.noise, material, false));
+    }
+    for (const measure::SamplingRace& race : bench.races) {
+        fmt::print("{}\n", measure::finding_race(race));
+    }
+    fmt::print("times are numbers of this machine; written: {}\n",
+               (std::filesystem::path(arguments.output) / "mesh.html").string());
     return int(ExitCode::done);
 }
 
@@ -183,6 +224,11 @@ Verb declare_bench(CLI::App& app, const std::vector<std::string>& command_line) 
                             "one volume each, are added to the usual scenes");
     light->add_option("--repeats", arguments->repeats, "rounds of timed frames")->check(CLI::Range(1, 1000));
     light->add_flag("--quick", arguments->quick, "one scene, without full resolution");
+    CLI::App* mesh = suite("mesh",
+                           "light inside translucent meshes: what each setting costs and how far it is from the truth; "
+                           "FILEs, of one mesh each, are added to the usual scenes");
+    mesh->add_option("--repeats", arguments->repeats, "rounds of timed frames")->check(CLI::Range(1, 1000));
+    mesh->add_flag("--quick", arguments->quick, "one scene, small maps");
     CLI::App* clouds =
         suite("clouds", "clouds: what each technique of the march costs and how far it is from the truth");
     clouds->add_option("--repeats", arguments->repeats, "timed frames")->check(CLI::Range(1, 1000));
@@ -195,12 +241,18 @@ Verb declare_bench(CLI::App& app, const std::vector<std::string>& command_line) 
     frames->add_option("--picture-frame0", arguments->picture, ".exr: the first frame, linear");
     frames->get_option("files")->required();
     app.require_subcommand(1);
-    return [arguments, command_line, frames, light, clouds] {
+    return [arguments, command_line, frames, light, clouds, mesh] {
         if (arguments->scene.size.empty()) {  // references of light are slow, and smooth light needs few pixels
-            arguments->scene.size = light->parsed() ? "96x96" : clouds->parsed() ? "512x288" : "512x512";
+            arguments->scene.size = light->parsed()    ? "96x96"
+                                    : mesh->parsed()   ? "24x24"
+                                    : clouds->parsed() ? "512x288"
+                                                       : "512x512";
         }
         if (clouds->parsed()) {
             return bench_clouds(*arguments, command_line);
+        }
+        if (mesh->parsed()) {
+            return bench_mesh(*arguments, command_line);
         }
         if (light->parsed()) {
             return bench_light(*arguments, command_line);

@@ -176,7 +176,7 @@ Variants variants_of(const std::string& file) {
         return variants;
     }
     if (file == "radiosity.comp") {
-        return {{}, {{"CUBE_LAMPS", ""}}, {{"STANDARD_DIPOLE", ""}}};
+        return {{}, {{"CUBE_LAMPS", ""}}, {{"STANDARD_DIPOLE", ""}}, {{"EXPONENTIAL_DISK", ""}}};
     }
     if (file == "path_trace.comp") {
         return path_trace_variants();

@@ -54,11 +54,15 @@ Verb declare_stress(CLI::App& app, const std::vector<std::string>& command_line)
     CLI::App* clouds = suite("clouds", "clouds: sun, cameras, layers, weather maps, history");
     clouds->add_option("--random", arguments->options.random_scenes, "how many frames to draw with random parameters")
         ->check(CLI::Range(0, 1000000));
+    CLI::App* mesh = suite("mesh", "meshes: files, textures, shapes, placement, matter, lamps, invariants");
+    mesh->add_option("--pieces", arguments->options.pieces, "pieces of the mesh that falls into many")
+        ->check(CLI::Range(1, 4000000));
     app.require_subcommand(1);
-    return [arguments, command_line, light, clouds] {
-        return run_suite(clouds->parsed()  ? measure::run_cloud_stress
-                         : light->parsed() ? measure::run_light_stress
-                                           : measure::run_volume_stress,
+    return [arguments, command_line, light, clouds, mesh] {
+        return run_suite(mesh->parsed()     ? measure::run_mesh_stress
+                         : clouds->parsed() ? measure::run_cloud_stress
+                         : light->parsed()  ? measure::run_light_stress
+                                            : measure::run_volume_stress,
                          *arguments, command_line);
     };
 }

@@ -230,7 +230,7 @@ std::uint32_t OpaquePass::draw_translucent(const PassAccess& access, const Param
     for (const bool from_points : {false, true}) {
         if (from_points) {
             defines["FROM_POINTS"] = "";
-            defines.merge(entry_defines(access.read(input.inside.shown->light), input.inside.shown->settings.model));
+            defines.merge(entry_defines(access.read(input.inside.shown->light), input.inside.shown->settings));
             unseen.begin();
         }
         gl::Program& program = prepared_program(parameters, stand, defines);

@@ -17,10 +17,13 @@ struct LampData {
 
 }  // namespace
 
-gl::Defines entry_defines(const LightMaps& light, scene::SubsurfaceModel model) {
+gl::Defines entry_defines(const LightMaps& light, const scene::SubsurfaceSettings& settings) {
     gl::Defines defines;
-    if (model == scene::SubsurfaceModel::standard_dipole) {
+    if (settings.model == scene::SubsurfaceModel::standard_dipole) {
         defines["STANDARD_DIPOLE"] = "";
+    }
+    if (settings.sampling == scene::SubsurfaceSampling::exponential_disk) {
+        defines["EXPONENTIAL_DISK"] = "";
     }
     if (std::any_of(light.lamps.begin(), light.lamps.end(),
                     [](const LightMaps::Drawn& lamp) { return lamp.cameras.size() > 1; })) {

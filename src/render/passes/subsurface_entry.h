@@ -13,7 +13,7 @@
 namespace bruma::render {
 
 /// What shaders that include it are compiled for.
-gl::Defines entry_defines(const LightMaps& light, scene::SubsurfaceModel model);
+gl::Defines entry_defines(const LightMaps& light, const scene::SubsurfaceSettings& settings);
 
 /// Sets its uniforms, textures from `unit` on; `lamps` is filled and bound. `powers`: of each lamp, E_perp; of those
 /// with a position intensity, E_perp times mm^2.

@@ -107,7 +107,8 @@ void TranslucentPasses::update(const scene::Mesh& mesh, const glm::dmat4& world_
     graph_.set_parameters(exits_, exits);
     graph_.set_execute(exits_, [this, exits](const PassAccess& access) { look_from_around(access, exits); });
 
-    graph_.set_parameters(begin_, StartParameters{medium, settings.model, int(settings.samples), shown_.powers});
+    graph_.set_parameters(
+        begin_, StartParameters{medium, settings.model, settings.sampling, int(settings.samples), shown_.powers});
     const RadiosityMaps* const standing = graph_.product(shown_.radiosity);
     turn_ += standing != nullptr && !settled() && standing->passes < goal.samples ? 1 : 0;
     graph_.set_parameters(gather_, turn_);
@@ -180,6 +181,7 @@ void TranslucentPasses::gather(const PassAccess& access, const Shown& shown, con
         }
         out.passes = 0;
         out.next_map = 0;
+        out.evaluations = 0;
         out.noise = 1e30;
         out.start = start;
     }
@@ -202,7 +204,7 @@ void TranslucentPasses::gather(const PassAccess& access, const Shown& shown, con
             "subsurface.light_map_size is truer beside shadow borders",
             node_name_, light.coarsest_texel_mm, shortest_mm);
     }
-    gl::Program& program = shaders_.get("radiosity.comp", entry_defines(light, shown.settings.model));
+    gl::Program& program = shaders_.get("radiosity.comp", entry_defines(light, shown.settings));
     gl::Buffer lamps;
     set_entry(program, light, shown.constants, shown.powers, 2, lamps);
     exits.cameras.bind_storage(1);
@@ -226,6 +228,7 @@ void TranslucentPasses::gather(const PassAccess& access, const Shown& shown, con
             program.set("first_texel", first);
             program.set("past_texel", past);
             glDispatchCompute(groups_of(past - first), 1, 1);
+            out.evaluations += std::uint64_t(past - first) * std::uint64_t(samples) * light.lamps.size();
             ++out.next_map;
             if (goal.budget_ms > 0.0) {
                 glFinish();

@@ -13,9 +13,10 @@ namespace bruma::render {
 
 /// The light that leaves at each texel of the exit maps: a mean over passes.
 struct RadiosityMaps {
-    gl::Texture mean;     ///< RGBA32F array, see radiosity.comp
-    int passes = 0;       ///< that every map has
-    int next_map = 0;     ///< maps below it have one more
+    gl::Texture mean;               ///< RGBA32F array, see radiosity.comp
+    int passes = 0;                 ///< that every map has
+    int next_map = 0;               ///< maps below it have one more
+    std::uint64_t evaluations = 0;  ///< points of light that were drawn for them, each one evaluation of the BSSRDF
     double noise = 1e30;  ///< standard error of what a picture shows, share of the local value; 1e30: not known yet
     Revision start = 0;
 };
@@ -76,6 +77,7 @@ class TranslucentPasses {
     struct StartParameters {
         scene::SubsurfaceMedium medium;
         scene::SubsurfaceModel model{};
+        scene::SubsurfaceSampling sampling{};
         int samples = 0;
         std::vector<glm::dvec3> powers;
         bool operator==(const StartParameters&) const = default;
