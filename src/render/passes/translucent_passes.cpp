@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/log.h"
+#include "render/far_lamps.h"
 #include "render/passes/subsurface_entry.h"
 
 namespace bruma::render {
@@ -17,20 +18,6 @@ constexpr double mm_per_m = 1e3, mm2_per_m2 = 1e6;
 /// Work groups of 64 texels.
 std::uint32_t groups_of(std::uint32_t texels) {
     return (texels + 63) / 64;
-}
-
-/// Light from so far away that floats round its place by more than a texel is as good as parallel: over the body its
-/// direction and its strength then differ by less than 2e-4.
-void take_for_parallel(BodyLamp& lamp, glm::dvec3& power, double radius) {
-    const double distance = glm::length(lamp.position);
-    if (!lamp.has_position || distance < 1e4 * radius) {
-        return;
-    }
-    const glm::dvec3 toward = lamp.position / distance;
-    const double inside = std::clamp((glm::dot(toward, lamp.axis) - lamp.cone.x) * lamp.cone.y, 0.0, 1.0);
-    power *= inside * inside * (3.0 - 2.0 * inside) / (distance * distance);
-    lamp = BodyLamp{};
-    lamp.toward = toward;
 }
 
 double ms_since(std::chrono::steady_clock::time_point then) {
@@ -93,12 +80,12 @@ void TranslucentPasses::update(const scene::Mesh& mesh, const glm::dmat4& world_
         reads.insert(reads.end(), {occluder.triangles.index, occluder.buffers.index});
     }
     graph_.set_reads(light_, reads);
-    const glm::dvec3 diagonal = shown_.frame.body_from_model * ((*mesh.triangles)->high - (*mesh.triangles)->low);
-    const double radius = 0.5 * glm::length(diagonal);
-    for (const scene::Light& lamp : lights) {
+    const glm::dvec3 diagonal_mm = shown_.frame.body_from_model * ((*mesh.triangles)->high - (*mesh.triangles)->low);
+    const double radius_m = 0.5 * glm::length(diagonal_mm) / mm_per_m;
+    for (const scene::Light& given : lights) {
+        const scene::Light lamp = parallel_from_afar(given, shown_.frame.middle_world, radius_m).value_or(given);
         light.lamps.push_back(body_lamp(lamp, shown_.frame, camera_back_world));
         shown_.powers.push_back(lamp.color * lamp.intensity * (scene::has_position(lamp) ? mm2_per_m2 : 1.0));
-        take_for_parallel(light.lamps.back(), shown_.powers.back(), radius);
     }
     graph_.set_parameters(light_, light);
     graph_.set_execute(light_, [this, light](const PassAccess& access) { look_from_lamps(access, light); });
