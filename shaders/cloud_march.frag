@@ -2,7 +2,8 @@
 // Light of one layer of clouds along each pixel's ray, up to the opaque surfaces.
 // BOX: a block in a flat world, else a shell around the planet. OPAQUE: rays end at surfaces. CONE: six samples towards
 // the sun at every point, else the grid of optical depths. LEAP, BIG_STEPS, STOP_EARLY, SPARE_DETAIL: techniques that are
-// on. SPARSE: one of each four by four pixels is drawn, into a picture of that many. ADAPT: segments aim at an optical depth. COUNT: counts what is looked up. Others: see include/cloud_*.glsl.
+// on. SPARSE: one of each four by four pixels is drawn, into a picture of that many. ADAPT: segments aim at an optical
+// depth. AIR: there is air around and before them. COUNT: counts what is looked up. Others: see include/cloud_*.glsl.
 
 #ifdef SPARSE
 uniform ivec2 pixel_offset;
@@ -13,6 +14,11 @@ uniform ivec2 pixel_offset;
 #include "include/cloud_intervals.glsl"
 #include "include/cloud_light.glsl"
 #include "include/view_ray.glsl"
+#ifdef AIR
+#include "include/sky_air.glsl"
+#include "include/sky_tables.glsl"
+#include "include/cloud_air.glsl"
+#endif
 
 layout(location = 0) out vec4 clouds;          // linear radiance that they add; alpha: their transmittance
 layout(location = 1) out float mean_distance;  // metres, weighted by what each part hides; 0: nothing is hidden
@@ -110,15 +116,20 @@ float clear_way(vec3 p, vec3 q)
 }
 #endif
 
-// 0 where the planet stands before the sun.
-float sun_shows(vec3 q, float altitude)
+// Of a plane that faces the sun, but for the clouds: nothing where the planet stands before it.
+vec3 sun_irradiance(vec3 q, float altitude)
 {
     vec3 to_sun = sky_light.to_sun.xyz;
+#ifdef AIR
+    return sun_through_air(q, altitude, to_sun);
+#else
 #ifdef BOX
-    return to_sun.y < 0.0 ? 0.0 : 1.0;
+    bool hidden = to_sun.y < 0.0;
 #else
     float half_sum = dot(q, to_sun) + planet_radius * to_sun.y;
-    return half_sum < 0.0 && half_sum * half_sum >= altitude * (2.0 * planet_radius + altitude) ? 0.0 : 1.0;
+    bool hidden = half_sum < 0.0 && half_sum * half_sum >= altitude * (2.0 * planet_radius + altitude);
+#endif
+    return hidden ? vec3(0.0) : sky_light.sun_irradiance.rgb;
 #endif
 }
 
@@ -276,7 +287,7 @@ void main()
         float deep = depth > 0.02 ? (share - passed) / max(depth * share, 1e-20) : 0.5;
         vec3 q_light = q + ((clamp(deep, 0.0, 1.0) - u) * h) * direction;
         vec3 p_light = pattern_point(q_light);
-        vec3 source = cloud_light(column.height, sun_shows(q_light, p_light.y), light_depths(p_light, q_light));
+        vec3 source = cloud_light(sun_irradiance(q_light, p_light.y), light_depths(p_light, q_light));
         radiance += transmittance * depth * share * source;
         float hides = transmittance * (1.0 - passed);
         hidden_distance += hides * (t + u * h);
@@ -301,6 +312,11 @@ void main()
     transmittance = clamp((transmittance - steps.w) / (1.0 - steps.w), 0.0, 1.0);
 #endif
     clouds = vec4(radiance, transmittance);
+#ifdef AIR
+    if (mean_distance > 0.0) {
+        clouds = behind_air(clouds, start, direction, mean_distance, sky_light.to_sun.xyz);
+    }
+#endif
 #ifdef COUNT
 #ifdef CONE
     counts = uvec4(turn, turn * 7, turn * 11, turn * 2);

@@ -46,6 +46,9 @@ uniform sampler2D thickness;
 #include "include/shadow.glsl"
 in vec3 position_shadow;
 #endif
+#ifdef CLOUD_SHADOWS
+#include "include/cloud_shadow.glsl"
+#endif
 
 in vec3 point_camera;
 in vec3 normal_world;
@@ -167,6 +170,9 @@ void main()
     for (int n = 0; n < DIRECTIONAL_LIGHTS; ++n) {
         Incident incident = incident_from_afar(n);
         incident.irradiance *= arriving(n, normal);
+#ifdef CLOUD_SHADOWS
+        incident.irradiance *= light_through_clouds(n, ray_origin_steps + ray_distance * ray_direction_world);
+#endif
         add_light(incident, normal, toward_eye, facing_eye, reflected, mirrored);
     }
     for (int n = DIRECTIONAL_LIGHTS; n < light_count; ++n) {

@@ -36,11 +36,11 @@ void begin_cloud_light(float mu)
     towards_sun = optics.powder_all > 0.5 ? 0.0 : half_turn * half_turn;
 }
 
-vec3 cloud_light(float height, float sun, vec3 depths)
+vec3 cloud_light(vec3 sun, vec3 depths)
 {
     float x = optics.look.w * depths.x;
     float powder = mix(2.0 * (1.0 - exp(-2.0 * x)), 1.0, towards_sun);
-    return exp(-x) * powder * in_out_scatter * sun * sky_light.sun_irradiance.rgb +
+    return exp(-x) * powder * in_out_scatter * sun +
            optics.ambient * sky_light.sky_radiance.rgb;
 }
 #else
@@ -58,8 +58,8 @@ void begin_cloud_light(float mu)
     }
 }
 
-// `sun` is 0 where the planet hides it; `depths`: optical depths towards the sun, up and down.
-vec3 cloud_light(float height, float sun, vec3 depths)
+// `sun`: its irradiance, but for the clouds; `depths`: optical depths towards the sun, up and down.
+vec3 cloud_light(vec3 sun, vec3 depths)
 {
     float scattered = 0.0;
 #ifdef HALVING
@@ -75,7 +75,7 @@ vec3 cloud_light(float height, float sun, vec3 depths)
         thinner *= optics.octave.y;
     }
 #endif
-    vec3 source = scattered * sun * sky_light.sun_irradiance.rgb;
+    vec3 source = scattered * sun;
     // Half: each hemisphere is 2 pi of the isotropic phase function's 1 / (4 pi).
     source += optics.ambient * 0.5 *
               (exp(-depths.y) * sky_light.sky_radiance.rgb + exp(-depths.z) * sky_light.ground_radiance.rgb);

@@ -80,10 +80,9 @@ Timed timed_frames(render::Renderer& renderer, scene::Scene scene, const render:
     return {median(wall), median(cpu)};
 }
 
-CloudBenchRow row_of(gl::ShaderLibrary& shaders, scene::Scene scene, const Technique& technique, const Image& truth,
+CloudBenchRow row_of(render::Renderer& renderer, scene::Scene scene, const Technique& technique, const Image& truth,
                      const CloudBenchOptions& options) {
     clouds_in(scene).march.edit(technique.change);
-    render::Renderer renderer(shaders);
     CloudBenchRow row{.technique = technique.name};
     renderer.render(scene, {options.reference_pixels, 1.0});
     const Image found = renderer.read_picture();
@@ -166,6 +165,23 @@ CloudPan pan_of(gl::ShaderLibrary& shaders, scene::Scene scene, const CloudBench
     return pan;
 }
 
+/// What strata cost beside cumulus of the same view, at the error that those have with the usual settings.
+void say_costs(const CloudBench& bench) {
+    for (const CloudBenchScene& strata : bench.scenes) {
+        const auto heap = std::find_if(bench.scenes.begin(), bench.scenes.end(), [&](const CloudBenchScene& other) {
+            return other.preset == "cumulus" && other.view == strata.view;
+        });
+        if (heap == bench.scenes.end()) {
+            continue;
+        }
+        const double rmse = heap->rows.front().rmse;
+        if (const auto cost = cost_beside(strata, *heap, rmse); cost && strata.preset != "cumulus") {
+            bench.options.say(fmt::format("{} {}: {:.2g} times the lookups of cumulus at an RMSE of {:.2g}",
+                                          strata.preset, strata.view, *cost, rmse));
+        }
+    }
+}
+
 }  // namespace
 
 scene::Scene cloud_view(scene::CloudType type, const std::string& view) {
@@ -192,6 +208,9 @@ CloudBench run_cloud_bench(const CloudBenchOptions& options) {
         for (const std::string& view : views) {
             CloudBenchScene result{
                 std::string(scene::enum_words<scene::CloudType>()[std::size_t(type)]), view, 0.0, {}, {}};
+            if (fmt::format("{} {}", result.preset, view).find(options.only) == std::string::npos) {
+                continue;
+            }
             const scene::Scene scene = cloud_view(type, view);
             const auto start = std::chrono::steady_clock::now();
             reference::CloudImageOptions exact;
@@ -201,15 +220,23 @@ CloudBench run_cloud_bench(const CloudBenchOptions& options) {
             const Image truth =
                 reference::render_clouds(scene, options.reference_pixels.x, options.reference_pixels.y, exact).image;
             result.reference_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            render::Renderer renderer(shaders);  // one for all, so that noise and grids are made once
             for (const Technique& technique : techniques(options.quick)) {
-                result.rows.push_back(row_of(shaders, scene, technique, truth, options));
+                result.rows.push_back(row_of(renderer, scene, technique, truth, options));
             }
             result.pan = pan_of(shaders, scene, options);
+            if (options.paths > 0) {
+                result.bias = octave_bias(scene, options.reference_pixels / 2, options.paths);
+            }
             if (options.say) {
                 options.say(fmt::format("{} {}: {}", result.preset, result.view, finding(result)));
+                options.say(fmt::format("{} {}: {}", result.preset, result.view, finding_bias(result)));
             }
             bench.scenes.push_back(std::move(result));
         }
+    }
+    if (options.say) {
+        say_costs(bench);
     }
     return bench;
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,9 @@ struct CloudBenchOptions {
     glm::ivec2 pixels{512, 288};          ///< of the frames that are timed
     glm::ivec2 reference_pixels{32, 18};  ///< of the pictures that are compared: the truth is slow
     int repeats = 3;
-    bool quick = false;  ///< one view, and the usual settings with and without each technique
+    std::uint32_t paths = 64;  ///< for each pixel, to judge the octaves by; 0: they are not judged
+    std::string only;          ///< views whose 'PRESET VIEW' holds this; empty: all
+    bool quick = false;        ///< one view, and the usual settings with and without each technique
     std::function<void(const std::string&)> say = {};
 };
 
@@ -36,11 +39,22 @@ struct CloudPan {
     double flicker = 0.0;         ///< deviation of a pixel over 64 frames at rest, RMS
 };
 
+/// The octaves, as drawn, against light that is scattered any number of times, in the radiance that clouds add. Green
+/// of all pixels of a picture.
+struct CloudBias {
+    double octaves = 0.0, paths = 0.0;  ///< means over the picture
+    double standard_error = 0.0;        ///< of `paths`
+    double rms = 0.0;                   ///< difference of single pixels, the noise of the paths taken off
+};
+/// By the double-precision march and by random paths, which know no sky but the constant environment.
+CloudBias octave_bias(scene::Scene scene, glm::ivec2 pixels, std::uint32_t samples);
+
 struct CloudBenchScene {
     std::string preset, view;
     double reference_seconds = 0.0;
     std::vector<CloudBenchRow> rows;  ///< the first one has the usual settings
     CloudPan pan;
+    CloudBias bias = {};
 };
 
 struct CloudBench {
@@ -57,5 +71,10 @@ CloudBench run_cloud_bench(const CloudBenchOptions& options);
 void write_cloud_bench(const CloudBench& bench, const std::filesystem::path& folder);
 /// One sentence of a scene: error, time and lookups of the usual settings, and what reprojection does.
 std::string finding(const CloudBenchScene& scene);
+/// How far the octaves are from the truth.
+std::string finding_bias(const CloudBenchScene& scene);
+/// What a scene costs beside another at the same error, in lookups of noise and light per pixel: on the lines through
+/// the settings that differ by the length of their steps alone. Nothing where one of them never is that near.
+std::optional<double> cost_beside(const CloudBenchScene& scene, const CloudBenchScene& other, double rmse);
 
 }  // namespace bruma::measure

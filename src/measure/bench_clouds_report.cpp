@@ -1,5 +1,8 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "measure/bench_clouds.h"
 #include "measure/bench_html.h"
 #include "measure/bench_table.h"
@@ -26,6 +29,7 @@ BenchTable table_of(const CloudBenchScene& scene) {
 
 nlohmann::json json_of(const CloudBenchScene& scene) {
     const CloudPan& pan = scene.pan;
+    const CloudBias& bias = scene.bias;
     return {{"preset", scene.preset},
             {"view", scene.view},
             {"reference_seconds", scene.reference_seconds},
@@ -38,7 +42,12 @@ nlohmann::json json_of(const CloudBenchScene& scene) {
               {"cpu_ms", pan.cpu_ms},
               {"rmse_from_full", pan.rmse_from_full},
               {"rmse_at_rest", pan.rmse_at_rest},
-              {"flicker", pan.flicker}}}};
+              {"flicker", pan.flicker}}},
+            {"octaves",
+             {{"mean", bias.octaves},
+              {"mean_of_paths", bias.paths},
+              {"standard_error", bias.standard_error},
+              {"rms_difference", bias.rms}}}};
 }
 
 std::string page_of(const CloudBench& bench) {
@@ -56,10 +65,33 @@ std::string page_of(const CloudBench& bench) {
             plot.lines.push_back({row.technique, {{row.noise + row.light, row.rmse}}, false, int(n % 6)});
         }
         text += fmt::format("<section><h2>{}, {}</h2>\n<div class=\"plots\">\n", scene.preset, scene.view);
-        text += figure("Error against lookups", svg_of(plot), finding(scene)) + "</div>\n" +
-                folded_html_of(table_of(scene)) + "</section>\n";
+        text += figure("Error against lookups", svg_of(plot), finding(scene)) + "</div>\n<p>" +
+                html_text(finding_bias(scene)) + "</p>\n" + folded_html_of(table_of(scene)) + "</section>\n";
     }
     return text + "</body></html>\n";
+}
+
+/// Lookups that a scene needs for an error, between its settings of the step, on straight lines in logarithms.
+std::optional<double> cost_at(const CloudBenchScene& scene, double rmse) {
+    std::vector<std::pair<double, double>> line;  // lookups, RMSE
+    for (const CloudBenchRow& row : scene.rows) {
+        if (row.technique == "usual" || row.technique.starts_with("step ")) {
+            line.emplace_back(row.noise + row.light, row.rmse);
+        }
+    }
+    std::sort(line.begin(), line.end());
+    if (line.front().second <= rmse) {
+        return line.front().first;
+    }
+    for (std::size_t n = 1; n < line.size(); ++n) {
+        const auto [cheap, far] = line[n - 1];
+        const auto [dear, near] = line[n];
+        if (near <= rmse) {
+            const double share = std::log(far / rmse) / std::log(far / near);
+            return cheap * std::pow(dear / cheap, share);
+        }
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -72,6 +104,23 @@ std::string finding(const CloudBenchScene& scene) {
         "frame of a pan costs {:.2g} of a full one and is {:.2g} from it",
         usual.rmse, usual.bias, usual.ms, usual.turns, usual.noise,
         scene.pan.cpu_ms / std::max(1e-9, scene.pan.full_cpu_ms), scene.pan.rmse_from_full);
+}
+
+std::string finding_bias(const CloudBenchScene& scene) {
+    const CloudBias& bias = scene.bias;
+    if (bias.paths <= 0.0) {
+        return "the octaves were not judged";
+    }
+    return fmt::format(
+        "the octaves give {:.3g} where random paths give {:.3g} ± {:.1g}: {:+.0f} ± {:.1g} %; single pixels "
+        "differ by {:.2g}",
+        bias.octaves, bias.paths, bias.standard_error, 100.0 * (bias.octaves / bias.paths - 1.0),
+        100.0 * bias.octaves / bias.paths * bias.standard_error / bias.paths, bias.rms);
+}
+
+std::optional<double> cost_beside(const CloudBenchScene& scene, const CloudBenchScene& other, double rmse) {
+    const std::optional<double> own = cost_at(scene, rmse), others = cost_at(other, rmse);
+    return own && others ? std::optional(*own / *others) : std::nullopt;
 }
 
 void write_cloud_bench(const CloudBench& bench, const std::filesystem::path& folder) {

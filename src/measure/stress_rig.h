@@ -29,6 +29,7 @@ class StressRig {
     Image draw(const scene::Scene& scene, glm::ivec2 pixels = stress_pixels);
 
     gl::ShaderLibrary& shaders() { return shaders_; }
+    const render::Renderer& renderer() const { return renderer_; }
     const std::vector<StressVerdict>& verdicts() const { return verdicts_; }
 
   private:

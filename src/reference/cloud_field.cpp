@@ -77,6 +77,15 @@ std::shared_ptr<const CloudNoise> make_cloud_noise(scene::NoisePacking packing, 
     return std::make_shared<const CloudNoise>(std::move(noise));
 }
 
+std::shared_ptr<const CloudNoise> normative_cloud_noise(scene::NoisePacking packing) {
+    if (packing == scene::NoisePacking::packed) {
+        static const auto packed = make_cloud_noise(scene::NoisePacking::packed);
+        return packed;
+    }
+    static const auto channels = make_cloud_noise();
+    return channels;
+}
+
 LinearCoverage::LinearCoverage(const NoiseTexture& shape) {
     std::vector<double> bases;
     const std::size_t stride = shape.channels;

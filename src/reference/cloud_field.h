@@ -45,6 +45,9 @@ struct CloudNoise {
 std::shared_ptr<const CloudNoise> make_cloud_noise(scene::NoisePacking packing = scene::NoisePacking::channels,
                                                    int shape_size = 128, int detail_size = 32);
 
+/// The normative textures, made once and kept.
+std::shared_ptr<const CloudNoise> normative_cloud_noise(scene::NoisePacking packing = scene::NoisePacking::channels);
+
 /// Effective coverage that fills a wanted share of space with cloud, from the distribution of the base shape.
 class LinearCoverage {
   public:

@@ -123,8 +123,11 @@ CloudRayResult march_once(std::span<const CloudMedium> media, const CloudLight& 
                 }
             }
             if (extinction > 0.0) {
-                result.radiance += result.transmittance * extinction_times_source * segment_weight(extinction, ds);
+                const AirLight air = options.air ? options.air(t) : AirLight{};
                 const double passed = result.transmittance * std::exp(-extinction * ds);
+                result.radiance += air.transmittance * result.transmittance * extinction_times_source *
+                                       segment_weight(extinction, ds) +
+                                   air.radiance * (result.transmittance - passed);
                 hidden += result.transmittance - passed;
                 hidden_distance += t * (result.transmittance - passed);
                 result.transmittance = passed;

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <span>
 
+#include "reference/cloud_air.h"
 #include "reference/cloud_lighting.h"
 #include "reference/cloud_medium.h"
 #include "scene/camera.h"
@@ -23,6 +24,8 @@ struct CloudMarchOptions {
     int most_sun_samples = 4096;
     double stop_transmittance = 1e-6;
     double longest_m = 200e3;  ///< rays end here
+    /// Air between the eye and a point of this ray, over the distance; empty: none.
+    std::function<AirLight(double distance_m)> air = {};
 };
 
 struct CloudRayResult {

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "reference/pixel_loop.h"
+#include "reference/sky_light.h"
 #include "scene/sky.h"
 
 namespace bruma::reference {
@@ -29,12 +30,14 @@ void require_clouds_alone(const scene::Scene& scene) {
 
 std::vector<CloudMedium> media_of(const scene::Scene& scene) {
     const glm::dvec3 eye = (*scene.camera)->eye_world;
+    const scene::Atmosphere atmosphere = scene.outdoors ? *scene.outdoors->atmosphere : scene::Atmosphere{};
     std::vector<CloudMedium> media;
     for (const std::string& name : scene::shown_clouds(scene)) {
         const auto& clouds = std::get<scene::Clouds>(scene.nodes.at(name).content);
-        const CloudField field(*clouds.layer, *clouds.map, make_cloud_noise(clouds.layer->packing), scene.time->now_s);
+        const CloudField field(*clouds.layer, *clouds.map, normative_cloud_noise(clouds.layer->packing),
+                               scene.time->now_s);
         media.push_back(
-            medium_of(field, CloudGeometry(*clouds.layer, eye, scene::Atmosphere{}.planet_radius_m), *clouds.optics));
+            medium_of(field, CloudGeometry(*clouds.layer, eye, atmosphere.planet_radius_m), *clouds.optics));
     }
     return media;
 }
@@ -46,10 +49,14 @@ struct Shade {
 };
 
 Shade by_march(std::span<const CloudMedium> media, const CloudLight& light, const scene::Ray& ray,
-               const CloudImageOptions& options) {
-    const CloudRayResult result = options.fixed_step_m ? march_once(media, light, ray, *options.fixed_step_m,
-                                                                    options.fixed_sun_samples, options.march)
-                                                       : march_clouds(media, light, ray, options.march);
+               const CloudImageOptions& options, const CloudSky* sky) {
+    CloudMarchOptions march = options.march;
+    if (sky != nullptr) {
+        march.air = sky->air_along(ray, march.longest_m);
+    }
+    const CloudRayResult result =
+        options.fixed_step_m ? march_once(media, light, ray, *options.fixed_step_m, options.fixed_sun_samples, march)
+                             : march_clouds(media, light, ray, march);
     const double largest = std::max({result.radiance.r, result.radiance.g, result.radiance.b});
     return {result.radiance, glm::dvec3((result.view_error + result.sun_error) * std::max(largest, 1e-9)),
             result.transmittance, result.samples};
@@ -81,18 +88,43 @@ CloudLight cloud_light(const scene::Scene& scene) {
     return light;
 }
 
+CloudSky::CloudSky(const scene::Scene& scene, const SkyTableOptions& options)
+    : tables_(std::make_shared<const AtmosphereTables>(*scene.outdoors->atmosphere, options)),
+      eye_world_((*scene.camera)->eye_world),
+      irradiance_(scene.outdoors->sun->irradiance),
+      light_(light_of_sky(tables_, *scene.outdoors->sun, 1.0)) {}
+
+std::function<AirLight(double)> CloudSky::air_along(const scene::Ray& ray, double longest_m) const {
+    const glm::dvec3 from = ray.origin_world - glm::dvec3(eye_world_.x, 0.0, eye_world_.z);
+    const AirAlongRay air(*tables_, from, ray.direction_world, light_.to_sun_world, longest_m);
+    return [air, irradiance = irradiance_](double distance_m) {
+        const AirLight light = air.before(distance_m);
+        return AirLight{irradiance * light.radiance, light.transmittance};
+    };
+}
+
 ScatteringImage render_clouds(const scene::Scene& scene, int width, int height, const CloudImageOptions& options) {
     scene::check(scene);
     require_clouds_alone(scene);
+    if (scene.outdoors && options.paths != LightPaths::single) {
+        throw InputError(
+            "sky: there is no reference yet for all orders of scattering in clouds under a sky; --light single takes "
+            "the scene's own model of light");
+    }
     const std::vector<CloudMedium> media = media_of(scene);
-    const CloudLight light = cloud_light(scene);
+    std::optional<CloudSky> sky;
+    if (scene.outdoors) {
+        sky.emplace(scene, options.sky_tables);
+    }
+    const CloudLight light = sky ? sky->light() : cloud_light(scene);
     ScatteringImage out;
     out.image = Image(width, height);
     out.error.resize(std::size_t(width) * height);
     std::atomic<std::uint64_t> evaluations{0};
     for_each_pixel(scene, width, height, options.progress, [&](const Pixel& pixel) {
-        const Shade shade = options.paths == LightPaths::single ? by_march(media, light, pixel.ray, options)
-                                                                : by_paths(media, light, pixel, options);
+        const Shade shade = options.paths == LightPaths::single
+                                ? by_march(media, light, pixel.ray, options, sky ? &*sky : nullptr)
+                                : by_paths(media, light, pixel, options);
         const glm::dvec3 seen = shade.radiance + shade.transmittance * pixel.background;
         float* const rgba = out.image.pixel(pixel.x, pixel.y);
         for (int k = 0; k < 3; ++k) {

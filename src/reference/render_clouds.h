@@ -4,6 +4,7 @@
 #include "reference/cloud_march.h"
 #include "reference/cloud_monte_carlo.h"
 #include "reference/render_scattering.h"
+#include "reference/sky_picture.h"
 
 namespace bruma::reference {
 
@@ -17,6 +18,7 @@ struct CloudImageOptions {
     std::optional<double> fixed_step_m = {};
     int fixed_sun_samples = 64;
     std::uint32_t samples = 256;  ///< multiple: paths for each pixel
+    SkyTableOptions sky_tables = fine_sky_tables();
     std::function<void(double)> progress = {};
 };
 
@@ -24,7 +26,23 @@ struct CloudImageOptions {
 /// of the default atmosphere's albedo.
 CloudLight cloud_light(const scene::Scene& scene);
 
+/// Air and sun of an outdoor scene, as clouds see them.
+class CloudSky {
+  public:
+    CloudSky(const scene::Scene& scene, const SkyTableOptions& options);
+    const CloudLight& light() const { return light_; }
+    /// Air before a point of the ray at a distance.
+    std::function<AirLight(double distance_m)> air_along(const scene::Ray& ray, double longest_m) const;
+
+  private:
+    std::shared_ptr<const AtmosphereTables> tables_;
+    glm::dvec3 eye_world_, irradiance_;
+    CloudLight light_;
+};
+
 /// All shown layers of clouds over the background, seen by the scene's camera at the scene's time, in double precision.
+/// Outdoors the sun reaches each point through the air above it and the air before each point is seen, all by the sun's
+/// elevation at the camera; the sky behind is left out, and its light is that on the ground; all orders are not known.
 /// `error`: single: estimated; multiple: standard error. Throws InputError for a scene without camera, or with shown
 /// volumes or meshes, which this reference does not know.
 ScatteringImage render_clouds(const scene::Scene& scene, int width, int height, const CloudImageOptions& options = {});

@@ -31,21 +31,10 @@ void Clouds::keep_only(const scene::Scene& scene, const std::vector<std::string>
     });
 }
 
-std::vector<Handle<CloudPicture>> Clouds::update(const scene::Scene& scene, const std::vector<std::string>& shown,
-                                                 Handle<OpaquePicture> opaque, Handle<SkyLight> sky, glm::ivec2 pixels,
-                                                 double step_scale) {
+CloudShadows Clouds::prepare(const scene::Scene& scene, const std::vector<std::string>& shown) {
     keep_only(scene, shown);
-    if (sky.index >= 0) {
-        forget_own_sky();
-    } else {
-        if (!sky_) {
-            sky_ = std::make_unique<CloudSkyPass>(graph_);
-        }
-        sky_->update(scene);
-        sky = sky_->light;
-    }
     const glm::dvec3 to_sun = sun_direction_world(scene);
-    std::vector<Handle<CloudPicture>> pictures;
+    std::vector<Handle<CloudSunDepths>> depths;
     for (const std::string& name : shown) {
         const scene::Clouds& clouds = clouds_in(scene, name);
         const scene::NoisePacking packing = clouds.layer->packing;
@@ -62,8 +51,30 @@ std::vector<Handle<CloudPicture>> Clouds::update(const scene::Scene& scene, cons
             layer = std::make_unique<Layer>(graph_, shaders_, name);
         }
         layer->passes.update(clouds, noise->noise, to_sun);
-        layer->march.update(scene, clouds, {layer->passes, noise->noise, sky, opaque}, pixels, step_scale);
-        pictures.push_back(layer->march.picture);
+        depths.push_back(layer->passes.sun);
+    }
+    return cloud_shadows(scene, shown, depths);
+}
+
+std::vector<Handle<CloudPicture>> Clouds::update(const scene::Scene& scene, const std::vector<std::string>& shown,
+                                                 Surroundings around, glm::ivec2 pixels, double step_scale) {
+    if (around.sky.index >= 0) {
+        forget_own_sky();
+    } else {
+        if (!sky_) {
+            sky_ = std::make_unique<CloudSkyPass>(graph_);
+        }
+        sky_->update(scene);
+        around.sky = sky_->light;
+    }
+    std::vector<Handle<CloudPicture>> pictures;
+    for (const std::string& name : shown) {
+        const scene::Clouds& clouds = clouds_in(scene, name);
+        Layer& layer = *layers_.at(name);
+        const Handle<CloudNoise> noise = noise_.at(clouds.layer->packing)->noise;
+        layer.march.update(scene, clouds, {layer.passes, noise, around.sky, around.opaque, around.air}, pixels,
+                           step_scale);
+        pictures.push_back(layer.march.picture);
     }
     return pictures;
 }
@@ -92,6 +103,14 @@ int Clouds::missing_turns() const {
         most = std::max(most, layer->march.missing_turns());
     }
     return most;
+}
+
+std::vector<Handle<CloudPicture>> Clouds::pictures() const {
+    std::vector<Handle<CloudPicture>> all;
+    for (const auto& [name, layer] : layers_) {
+        all.push_back(layer->march.picture);
+    }
+    return all;
 }
 
 std::vector<Handle<CloudCounts>> Clouds::counts() const {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "render/cloud_shadows.h"
 #include "render/passes/cloud_march_pass.h"
 
 namespace bruma::render {
@@ -13,14 +14,23 @@ class Clouds {
   public:
     Clouds(FrameGraph& graph, gl::ShaderLibrary& shaders) : graph_(graph), shaders_(shaders) {}
 
-    /// Hands the graph this frame's sources and parameters; returns the picture of each shown layer. `sky`: what the
-    /// sky sends; empty indoors.
+    /// Hands the graph what does not depend on the view. First of each frame, since surfaces lie in these shadows.
+    CloudShadows prepare(const scene::Scene& scene, const std::vector<std::string>& shown);
+
+    /// What lies around the clouds of a picture.
+    struct Surroundings {
+        Handle<OpaquePicture> opaque;  ///< index -1: no surfaces
+        Handle<SkyLight> sky;          ///< what the sky sends; index -1: indoors
+        std::optional<AirTables> air;  ///< none indoors
+    };
+    /// Hands the graph the rest; returns the picture of each layer of the last `prepare`.
     std::vector<Handle<CloudPicture>> update(const scene::Scene& scene, const std::vector<std::string>& shown,
-                                             Handle<OpaquePicture> opaque, Handle<SkyLight> sky, glm::ivec2 pixels,
-                                             double step_scale);
+                                             Surroundings around, glm::ivec2 pixels, double step_scale);
     void remove();
     /// With reprojection: turns that are missing until the picture is as if all of it had been marched.
     int missing_turns() const;
+    /// The picture of each layer of the last update.
+    std::vector<Handle<CloudPicture>> pictures() const;
     /// The counting march of each layer of the last update.
     std::vector<Handle<CloudCounts>> counts() const;
 

@@ -92,7 +92,8 @@ void Renderer::update_passes(const scene::Scene& scene, const View& view) {
         passes->update(std::get<scene::Volume>(scene.nodes.at(name).content), *scene.rendering, step);
     }
     path_traced_ = is_path_traced(scene);
-    update_meshes(scene, path_traced_ ? std::vector<std::string>{} : scene::shown_meshes(scene), view);
+    const CloudShadows shadows = path_traced_ ? CloudShadows{} : prepare_clouds(scene);
+    update_meshes(scene, path_traced_ ? std::vector<std::string>{} : scene::shown_meshes(scene), view, shadows);
     if (path_traced_) {
         if (!said_no_meshes_ && !scene::shown_meshes(scene).empty()) {
             said_no_meshes_ = true;
@@ -114,7 +115,8 @@ void Renderer::update_passes(const scene::Scene& scene, const View& view) {
     }
 }
 
-void Renderer::update_meshes(const scene::Scene& scene, const std::vector<std::string>& shown, const View& view) {
+void Renderer::update_meshes(const scene::Scene& scene, const std::vector<std::string>& shown, const View& view,
+                             const CloudShadows& clouds) {
     if (shown.empty() && opaque_) {
         opaque_->remove();
         opaque_.reset();
@@ -161,7 +163,7 @@ void Renderer::update_meshes(const scene::Scene& scene, const std::vector<std::s
         shadows_->update(lit, meshes_, lights);
     }
     opaque_->update(lit, meshes_, translucents_, shadows_ ? shadows_->maps : Handle<ShadowMaps>{}, view.pixels,
-                    sky_ ? sky_->light : Handle<SkyLight>{});
+                    sky_ ? sky_->light : Handle<SkyLight>{}, clouds);
 }
 
 void Renderer::update_translucent(const scene::Scene& scene, const std::vector<std::string>& shown,
@@ -203,7 +205,7 @@ std::optional<TranslucentStanding> Renderer::translucent_standing() const {
     return standing;
 }
 
-std::vector<Handle<CloudPicture>> Renderer::update_clouds(const scene::Scene& scene, const View& view) {
+CloudShadows Renderer::prepare_clouds(const scene::Scene& scene) {
     const std::vector<std::string> shown = scene::shown_clouds(scene);
     if (shown.empty()) {
         if (clouds_) {
@@ -215,8 +217,22 @@ std::vector<Handle<CloudPicture>> Renderer::update_clouds(const scene::Scene& sc
     if (!clouds_) {
         clouds_ = std::make_unique<Clouds>(graph_, shaders_);
     }
-    return clouds_->update(scene, shown, opaque_ ? opaque_->picture : Handle<OpaquePicture>{},
-                           sky_ ? sky_->light : Handle<SkyLight>{}, view.pixels, view.step_scale);
+    return clouds_->prepare(scene, shown);
+}
+
+std::vector<Handle<CloudPicture>> Renderer::update_clouds(const scene::Scene& scene, const View& view) {
+    if (!clouds_) {
+        return {};
+    }
+    Clouds::Surroundings around;
+    if (opaque_) {
+        around.opaque = opaque_->picture;
+    }
+    if (sky_) {
+        around.sky = sky_->light;
+        around.air = sky_->air(*scene.outdoors);
+    }
+    return clouds_->update(scene, scene::shown_clouds(scene), around, view.pixels, view.step_scale);
 }
 
 void Renderer::update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world) {
@@ -304,6 +320,14 @@ std::optional<PathStanding> Renderer::path_standing() const {
         standing.standard_error = std::sqrt(squares / (3.0 * double(error.pixel_count())));
     }
     return standing;
+}
+
+std::vector<const CloudPicture*> Renderer::cloud_pictures() const {
+    std::vector<const CloudPicture*> pictures;
+    for (const Handle<CloudPicture> layer : clouds_ ? clouds_->pictures() : std::vector<Handle<CloudPicture>>{}) {
+        pictures.push_back(graph_.product(layer));
+    }
+    return pictures;
 }
 
 CloudTotals Renderer::count_clouds(const scene::Scene& scene, const View& view) {

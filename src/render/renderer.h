@@ -61,6 +61,8 @@ class Renderer {
 
     /// Clouds with reprojection: pictures to be drawn until a still one is as if all of it had been marched.
     int missing_cloud_turns() const { return clouds_ ? clouds_->missing_turns() : 0; }
+    /// What each layer of clouds adds to the last picture, still on the GPU.
+    std::vector<const CloudPicture*> cloud_pictures() const;
     /// Lookups of the clouds' march, all layers together, by drawing it once more.
     CloudTotals count_clouds(const scene::Scene& scene, const View& view);
 
@@ -81,9 +83,12 @@ class Renderer {
     void update(const scene::Scene& scene, const View& view);
     /// All lamps, the sun of an outdoor scene too, are among the scene's lights.
     void update_passes(const scene::Scene& scene, const View& view);
-    void update_meshes(const scene::Scene& scene, const std::vector<std::string>& shown, const View& view);
+    void update_meshes(const scene::Scene& scene, const std::vector<std::string>& shown, const View& view,
+                       const CloudShadows& clouds);
     void update_translucent(const scene::Scene& scene, const std::vector<std::string>& shown,
                             const std::vector<scene::Light>& lights, const View& view);
+    /// Makes or forgets the passes of clouds; what their shadows fall on comes next.
+    CloudShadows prepare_clouds(const scene::Scene& scene);
     /// The pictures of all shown layers of clouds.
     std::vector<Handle<CloudPicture>> update_clouds(const scene::Scene& scene, const View& view);
     void update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world);

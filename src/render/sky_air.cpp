@@ -17,4 +17,13 @@ void set_air(gl::Program& program, const scene::Atmosphere& atmosphere) {
     program.set("air.ground_albedo", glm::vec3(atmosphere.ground_albedo));
 }
 
+void set_air(const PassAccess& access, gl::Program& program, const AirTables& air, GLuint& unit) {
+    set_air(program, air.atmosphere);
+    const gl::Texture none;  // nothing bound reads as 0
+    access.read(air.transmittance).texture.bind(unit);
+    program.set("transmittance_table", int(unit++));
+    (air.multiple_scattering.index >= 0 ? access.read(air.multiple_scattering).texture : none).bind(unit);
+    program.set("multiple_table", int(unit++));
+}
+
 }  // namespace bruma::render

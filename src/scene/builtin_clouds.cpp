@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/mesh_builtin.h"
+
 namespace bruma::scene {
 namespace {
 
@@ -38,6 +40,35 @@ Scene builtin_cloud_scene(CloudType type) {
     camera.vertical_angle_deg = 42.0;
     camera.near_distance = 0.1;
     scene.camera = camera;
+    return scene;
+}
+
+Scene clouds_under_sky_scene() {
+    Scene scene = builtin_cloud_scene(CloudType::cumulus);
+    scene.lights.clear();
+    scene.environment = Environment{};
+    scene.background = Background{};
+    scene.outdoors.emplace();
+    scene.outdoors->sun = Sun{.elevation_deg = 38.0, .azimuth_deg = -30.0};
+    scene.display = Display{.exposure_ev = 3.6, .tone_map = ToneMap::filmic};
+    scene.camera->edit([](Camera& camera) { camera.target_world = camera.eye_world + glm::dvec3(0.0, 0.22, -1.0); });
+    return scene;
+}
+
+Scene clouds_over_ground_scene() {
+    Scene scene = clouds_under_sky_scene();
+    scene.outdoors->sun = Sun{.elevation_deg = 48.0, .azimuth_deg = -70.0};
+    Mesh hills;
+    hills.source = {.file = "builtin:hills", .millimetres_per_unit = 250e3};
+    hills.triangles = builtin_mesh("hills", hills.source).mesh;
+    hills.surface.edit([](MeshSurface& surface) { surface.shading = MeshShading::lambert; });
+    Node ground;
+    ground.content = std::move(hills);
+    scene.nodes["ground"] = std::move(ground);
+    scene.camera = Camera{.eye_world = {0.0, 1300.0, 9000.0},
+                          .target_world = {0.0, 1180.0, 8000.0},
+                          .vertical_angle_deg = 50.0,
+                          .near_distance = 1.0};
     return scene;
 }
 

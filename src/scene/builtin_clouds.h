@@ -6,9 +6,14 @@
 
 namespace bruma::scene {
 
-/// Names of the whole scenes of clouds, without 'builtin:' in front: one for each genus.
+/// Names of the whole scenes of one layer, without 'builtin:' in front: one for each genus.
 std::span<const std::string_view> builtin_cloud_scenes();
 /// A layer of clouds over the camera, under the sun of a fair afternoon.
 Scene builtin_cloud_scene(CloudType type);
+
+/// Cumulus under a sky, over hills that lie in their shadows.
+Scene clouds_over_ground_scene();
+/// A layer of clouds over the camera, under a sky.
+Scene clouds_under_sky_scene();
 
 }  // namespace bruma::scene

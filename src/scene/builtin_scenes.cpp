@@ -200,6 +200,8 @@ constexpr std::array builtin_scenes{
     BuiltinScene{"sky-sunset", sky_sunset},
     BuiltinScene{"sky-twilight", sky_twilight},
     BuiltinScene{"pot-outdoors", pot_outdoors},
+    BuiltinScene{"clouds-under-sky", clouds_under_sky_scene},
+    BuiltinScene{"clouds-over-ground", clouds_over_ground_scene},
 };
 
 }  // namespace

@@ -20,6 +20,7 @@ constexpr std::array builtin_meshes{
     BuiltinMesh{"mesh-knot", mesh_knot_parts},
     BuiltinMesh{"pot", pot_parts},
     BuiltinMesh{"cornell", cornell_parts},
+    BuiltinMesh{"hills", hills_parts},
 };
 
 }  // namespace

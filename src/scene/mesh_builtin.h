@@ -25,5 +25,7 @@ MeshParts pot_parts();
 /// Room of 550 x 550 x 550 open towards +z with two blocks and a light panel, after Goral et al., "Modeling the
 /// Interaction of Light between Diffuse Surfaces" (1984); materials white, red, green, light.
 MeshParts cornell_parts();
+/// A model of a landscape, 240 x 240 and up to 1.9 high, open below: 18432 triangles with exact normals.
+MeshParts hills_parts();
 
 }  // namespace bruma::scene

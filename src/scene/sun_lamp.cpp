@@ -60,7 +60,7 @@ Light sun_lamp(const Sun& sun, const Atmosphere& atmosphere) {
 
 Scene with_sun_as_lamp(Scene scene) {
     if (scene.outdoors) {
-        scene.lights.insert_or_assign("sun in the sky", sun_lamp(*scene.outdoors->sun, *scene.outdoors->atmosphere));
+        scene.lights.insert_or_assign(sun_lamp_name, sun_lamp(*scene.outdoors->sun, *scene.outdoors->atmosphere));
     }
     return scene;
 }

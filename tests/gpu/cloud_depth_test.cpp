@@ -27,7 +27,7 @@ class CloudDepth : public Drawing {
     glm::dvec3 exact_with_wall(double distance_m, const glm::dvec3& wall) {
         const scene::Clouds& clouds = clouds_in(scene);
         const reference::CloudMedium media[] = {reference::medium_of(
-            reference::CloudField(*clouds.layer, *clouds.map, reference::make_cloud_noise(), 0.0),
+            reference::CloudField(*clouds.layer, *clouds.map, reference::normative_cloud_noise(), 0.0),
             reference::CloudGeometry(*clouds.layer, (*scene.camera)->eye_world, 6360e3), *clouds.optics)};
         const scene::Ray ray =
             scene::camera_ray(**scene.camera, pixels.x / 2 + 0.5, pixels.y / 2 + 0.5, pixels.x, pixels.y);

@@ -63,7 +63,7 @@ std::vector<glm::vec4> points_in(const scene::CloudLayer& layer, int count) {
 
 /// The normative noise, once for all tests: making it in double takes seconds.
 std::shared_ptr<const reference::CloudNoise> normative_noise(scene::NoisePacking packing) {
-    static const auto channels = reference::make_cloud_noise();
+    static const auto channels = reference::normative_cloud_noise();
     static const auto packed = std::make_shared<const reference::CloudNoise>(
         reference::CloudNoise{reference::packed_shape(channels->shape), reference::packed_detail(channels->detail)});
     return packing == scene::NoisePacking::packed ? packed : channels;

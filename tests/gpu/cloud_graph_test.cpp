@@ -1,51 +1,15 @@
 // Shelf: closed form. Which passes clouds need, what a change reruns, and that a scene without them knows nothing of
 // them.
-#include <algorithm>
-
-#include "base/installation.h"
 #include "cloud_scenes.h"
-#include "drawing.h"
-#include "scene/builtin.h"
+#include "graph_test.h"
+#include "opaque_mesh.h"
 
 namespace bruma::render {
 namespace {
 
-using Names = std::vector<std::string>;
-
-class CloudGraph : public Drawing {
+class CloudGraph : public GraphTest {
   protected:
-    void SetUp() override {
-        Drawing::SetUp();
-        if (!IsSkipped()) {
-            own_shaders = std::make_unique<gl::ShaderLibrary>(installed_folder("shaders"));
-            renderer = std::make_unique<Renderer>(*own_shaders);
-            scene = cloud_scene(scene::CloudType::stratus, CloudView::below);
-        }
-    }
-    void TearDown() override {
-        renderer.reset();
-        own_shaders.reset();
-        Drawing::TearDown();
-    }
-    Names reruns() {
-        Names names;
-        for (const PassReport& report : renderer->render(scene, {{16, 9}, 1.0})) {
-            if (report.ran) {
-                names.push_back(report.name);
-            }
-        }
-        std::sort(names.begin(), names.end());
-        return names;
-    }
-    bool compiled(const std::string& part) const {
-        const Names names = own_shaders->compiled_names();
-        return std::any_of(names.begin(), names.end(),
-                           [&](const std::string& name) { return name.find(part) != std::string::npos; });
-    }
-
-    std::unique_ptr<gl::ShaderLibrary> own_shaders;
-    std::unique_ptr<Renderer> renderer;
-    scene::Scene scene;
+    CloudGraph() { scene = cloud_scene(scene::CloudType::stratus, CloudView::below); }
 };
 
 TEST_F(CloudGraph, WithoutCloudsNothingOfThemIsMade) {
@@ -82,6 +46,43 @@ TEST_F(CloudGraph, EachChangeRerunsWhatDependsOnItAndNoMore) {
               (Names{"march", "sky: cloud_columns", "sky: cloud_march", "sky: cloud_sun", "sky: cloud_weather"}));
     clouds_in(scene).layer.edit([](scene::CloudLayer& layer) { layer.wind_speed_m_s = 50.0; });
     EXPECT_EQ(reruns(), (Names{"march", "sky: cloud_march"}));
+}
+
+TEST_F(CloudGraph, ShadowsAreMadeWhereThereAreSurfacesAndClouds) {
+    const scene::Transform level{.translation = {0.0, -1.0, 0.0}, .rotation_deg = {-90.0, 0.0, 0.0}};
+    add_mesh(scene, "quad", quad_mesh(100.0F), glm::dvec3(0.5), level);
+    scene.nodes.at("sky").visible = false;
+    reruns();
+    EXPECT_FALSE(compiled("CLOUD_SHADOWS"));
+    scene.nodes.at("sky").visible = true;
+    reruns();
+    EXPECT_TRUE(compiled("CLOUD_SHADOWS"));
+    EXPECT_EQ(reruns(), Names{});
+    scene.time.edit([](scene::Timeline& timeline) { timeline.now_s += 1.0; });
+    EXPECT_EQ(reruns(), (Names{"march", "opaque", "sky: cloud_march"})) << "the wind moves the shadows too";
+    clouds_in(scene).march.edit([](scene::CloudMarch& march) { march.step_m *= 2.0; });
+    EXPECT_EQ(reruns(), (Names{"march", "sky: cloud_march"})) << "how clouds are drawn darkens nothing";
+    clouds_in(scene).layer.edit([](scene::CloudLayer& layer) { layer.wind_speed_m_s = 0.0; });
+    reruns();
+    scene.time.edit([](scene::Timeline& timeline) { timeline.now_s += 1.0; });
+    EXPECT_EQ(reruns(), Names{}) << "nothing moves without wind";
+}
+
+TEST_F(CloudGraph, UnderASkyTheAirIsLookedUpAndNotMadeAgain) {
+    reruns();
+    EXPECT_FALSE(compiled("AIR")) << "indoors there is none";
+    scene.outdoors.emplace();
+    reruns();
+    EXPECT_TRUE(compiled("AIR"));
+    EXPECT_EQ(reruns(), Names{});
+    scene.camera->edit([](scene::Camera& camera) { camera.eye_world.x += 10.0; });
+    EXPECT_EQ(reruns(), (Names{"march", "sky", "sky: cloud_march"}));
+    scene.outdoors->sun.edit([](scene::Sun& sun) { sun.irradiance *= 2.0; });
+    EXPECT_EQ(reruns(), (Names{"march", "sky", "sky: cloud_march", "sky_light"}));
+    scene.outdoors->atmosphere.edit([](scene::Atmosphere& air) { air.mie_scattering_per_m *= 2.0; });
+    const Names names = reruns();
+    EXPECT_EQ(std::count(names.begin(), names.end(), "sky: cloud_march"), 1);
+    EXPECT_EQ(std::count(names.begin(), names.end(), "sky: cloud_sun"), 0) << "air is no cloud";
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 // Shelf: closed form. Which passes of the sky a change reruns, and that scenes without one have none.
-#include <algorithm>
-
-#include "base/installation.h"
+#include "graph_test.h"
 #include "opaque_mesh.h"
 #include "scene/builtin.h"
 #include "sky_scenes.h"
@@ -9,42 +7,9 @@
 namespace bruma::render {
 namespace {
 
-using Names = std::vector<std::string>;
-
-class SkyPins : public Drawing {
+class SkyPins : public GraphTest {
   protected:
-    void SetUp() override {
-        Drawing::SetUp();
-        if (!IsSkipped()) {
-            own_shaders = std::make_unique<gl::ShaderLibrary>(installed_folder("shaders"));
-            renderer = std::make_unique<Renderer>(*own_shaders);
-        }
-    }
-    void TearDown() override {
-        renderer.reset();
-        own_shaders.reset();
-        Drawing::TearDown();
-    }
-    /// Names of the passes that ran, sorted.
-    Names reruns() {
-        Names names;
-        for (const PassReport& report : renderer->render(scene, {{16, 12}, 1.0})) {
-            if (report.ran) {
-                names.push_back(report.name);
-            }
-        }
-        std::sort(names.begin(), names.end());
-        return names;
-    }
-    bool compiled(const std::string& part) const {
-        const Names names = own_shaders->compiled_names();
-        return std::any_of(names.begin(), names.end(),
-                           [&](const std::string& name) { return name.find(part) != std::string::npos; });
-    }
-
-    std::unique_ptr<gl::ShaderLibrary> own_shaders;
-    std::unique_ptr<Renderer> renderer;
-    scene::Scene scene = sky_scene(2.0, 40.0);
+    SkyPins() { scene = sky_scene(2.0, 40.0); }
 };
 
 TEST_F(SkyPins, WithoutASkyThereIsNoneOfIt) {

@@ -141,7 +141,7 @@ TEST(Builtin, EveryMeshIsAsItIsDescribed) {
         EXPECT_EQ(loaded.report.degenerate_triangles, 0U) << name;
         EXPECT_EQ(loaded.report.misoriented_edges, 0U) << name;
         EXPECT_EQ(loaded.unit.millimetres, 1.0) << name;
-        EXPECT_EQ(loaded.mesh->closed, name != "cornell") << name;
+        EXPECT_EQ(loaded.mesh->closed, name != "cornell" && name != "hills") << name;
         EXPECT_EQ(loaded.report.inverted_components, 0U) << name;
     }
     const scene::MeshReport sphere = scene::builtin_mesh("mesh-sphere").report;

@@ -25,6 +25,7 @@ struct BenchArguments {
     std::string output;
     std::string context = "auto";
     std::string picture;
+    std::string only;
     int repeats = 3;
     int frames = 9;
     int warmup = 2;
@@ -150,9 +151,11 @@ int bench_clouds(const BenchArguments& arguments, const std::vector<std::string>
     options.pixels = arguments.scene.pixels();
     const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
     options.repeats = arguments.repeats;
+    options.only = arguments.only;
     options.quick = arguments.quick;
     if (options.quick) {
         options.reference_pixels = {12, 7};
+        options.paths = 8;
     }
     options.say = [](const std::string& line) { fmt::print("{}\n", line); };
     measure::write_cloud_bench(measure::run_cloud_bench(options), arguments.output);
@@ -233,6 +236,7 @@ Verb declare_bench(CLI::App& app, const std::vector<std::string>& command_line) 
         suite("clouds", "clouds: what each technique of the march costs and how far it is from the truth");
     clouds->add_option("--repeats", arguments->repeats, "timed frames")->check(CLI::Range(1, 1000));
     clouds->add_flag("--quick", arguments->quick, "one view of each preset");
+    clouds->add_option("--only", arguments->only, "only views with this in 'PRESET VIEW', as in 'stratus below'");
     CLI::App* frames = suite("frames", "frames along an orbit around each scene, as other programs measure theirs");
     frames->add_option("--repeats", arguments->frames, "frames that count")->check(CLI::Range(1, 100000));
     frames->add_option("--warmup", arguments->warmup, "frames before them")->check(CLI::Range(0, 1000));

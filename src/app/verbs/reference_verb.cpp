@@ -120,7 +120,8 @@ void add_sky(Drawn& drawn, const scene::Scene& scene, const std::function<void(d
 /// The model of light of the scene's clouds by a fine march, or all orders of scattering by random paths.
 Drawn draw_clouds(const ReferenceArguments& arguments, const scene::Scene& scene,
                   const std::function<void(double)>& progress) {
-    reference::CloudImageOptions options{.progress = progress};
+    reference::CloudImageOptions options;
+    options.progress = progress;
     const bool multiple = arguments.light == "multiple";
     options.paths = multiple ? reference::LightPaths::multiple : reference::LightPaths::single;
     options.march.tolerance = arguments.tolerance.value_or(1e-3);
@@ -147,12 +148,6 @@ int reference(const ReferenceArguments& arguments) {
     io::require_writable(arguments.output);
     scene::Scene scene = scene::with_sun_as_lamp(open_scene(arguments.scene));
     const bool has_clouds = !scene::shown_clouds(scene).empty();
-    if (has_clouds && scene.outdoors) {
-        throw InputError(
-            "sky: there is no reference yet for clouds that a sky lights; take sky, sun and atmosphere out of the "
-            "scene, "
-            "and light it by a directional lamp and environment.radiance");
-    }
     if (scene.outdoors) {
         scene.background = scene::Background{};
     }

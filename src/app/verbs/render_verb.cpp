@@ -9,6 +9,7 @@
 #include "app/frame_statistics.h"
 #include "app/scene_arguments.h"
 #include "app/sibling.h"
+#include "app/verbs/contact_sheet.h"
 #include "app/verbs/verbs.h"
 #include "base/error.h"
 #include "base/installation.h"
@@ -28,6 +29,7 @@ struct RenderArguments {
     std::string stats;
     std::string graph;
     std::string frames;
+    std::string across, down;
     bool explain = false;
     bool auto_exposure = false;
     int repeats = 5;
@@ -112,6 +114,27 @@ void write_frames(const FrameRange& range, const std::string& output, scene::Sce
     }
 }
 
+/// What --across and --down ask for; nothing without them.
+std::optional<ContactSheet> contact_sheet(const RenderArguments& arguments) {
+    if (arguments.across.empty() && arguments.down.empty()) {
+        return std::nullopt;
+    }
+    if (io::picture_format(arguments.output) != io::PictureFormat::png || !arguments.frames.empty() ||
+        !arguments.stats.empty() || arguments.explain) {
+        throw InputError(
+            "--across, --down: put many pictures into one .png and do nothing else; leave out --frames, --stats and "
+            "--explain");
+    }
+    ContactSheet sheet{.auto_exposure = arguments.auto_exposure};
+    if (!arguments.across.empty()) {
+        sheet.across = sheet_settings("--across", arguments.across);
+    }
+    if (!arguments.down.empty()) {
+        sheet.down = sheet_settings("--down", arguments.down);
+    }
+    return sheet;
+}
+
 int render(const RenderArguments& arguments, const std::vector<std::string>& command_line) {
     const glm::ivec2 pixels = arguments.scene.pixels();
     const io::PictureFormat format = io::picture_format(arguments.output);
@@ -120,6 +143,7 @@ int render(const RenderArguments& arguments, const std::vector<std::string>& com
                                      arguments.output));
     }
     const std::optional<FrameRange> frames = frame_range(arguments.frames);
+    const std::optional<ContactSheet> sheet = contact_sheet(arguments);
     if (frames &&
         (arguments.output == "-" || !arguments.stats.empty() || arguments.explain || arguments.auto_exposure)) {
         throw InputError(
@@ -136,8 +160,12 @@ int render(const RenderArguments& arguments, const std::vector<std::string>& com
     log_detail("{}: {}, {}", context->way(), driver.renderer, driver.version);
     check_room(pixels);
 
-    scene::Scene scene = open_scene(arguments.scene);
     gl::ShaderLibrary shaders(installed_folder("shaders"));
+    if (sheet) {
+        io::write_png(arguments.output, draw_sheet(*sheet, arguments.scene, shaders));
+        return int(ExitCode::done);
+    }
+    scene::Scene scene = open_scene(arguments.scene);
     render::Renderer renderer(shaders);
     render::Presenter presenter(shaders);
     const render::View view{pixels, 1.0, arguments.paths};
@@ -177,6 +205,9 @@ Verb declare_render(CLI::App& app, const std::vector<std::string>& command_line)
     app.add_option("--context", arguments->context, "auto, egl or osmesa");
     app.add_option("--frames", arguments->frames,
                    "A:B: pictures A to B, numbered, time.frame_rate to the second from the scene's moment on");
+    app.add_option("--across", arguments->across,
+                   "'PATH=VALUE ... | PATH=VALUE ...': pictures under these settings, side by side in one .png");
+    app.add_option("--down", arguments->down, "the same below one another; with --across all pairs of both");
     app.add_option("--stats", arguments->stats, "JSON file: what each pass did, samples, time beside brute force");
     app.add_option("--repeats", arguments->repeats, "how often --stats draws each frame")->check(CLI::Range(1, 1000));
     app.add_option("--samples", arguments->paths.samples,

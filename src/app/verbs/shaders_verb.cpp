@@ -132,6 +132,7 @@ Variants cloud_variants() {
         add(2, "OPAQUE");
         add(4, "CONE");
         add(8, "LEAP");
+        add(8, "AIR");  // neither knows of the other
         add(16, "BIG_STEPS");
         add(32, "STOP_EARLY");
         add(64, "ADAPT");
@@ -165,6 +166,8 @@ Variants variants_of(const std::string& file) {
         Variants variants{{{"DEPTH_ONLY", ""}}, {{"THICKNESS", ""}}, lights};
         variants.push_back(lights);
         variants.back()["SKY_LIGHT"] = "";
+        variants.push_back(lights);
+        variants.back()["CLOUD_SHADOWS"] = "2";
         for (gl::Defines inside :
              Variants{{}, {{"SKY_LIGHT", ""}}, {{"FROM_POINTS", ""}}, {{"FROM_POINTS", ""}, {"CUBE_LAMPS", ""}}}) {
             inside.insert(lights.begin(), lights.end());

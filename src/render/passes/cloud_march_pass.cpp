@@ -80,6 +80,7 @@ void CloudMarchPass::update(const scene::Scene& scene, const scene::Clouds& clou
                                 cloud_origins(*clouds.layer, (*scene.camera)->eye_world, scene.time->now_s),
                                 sun_lean(sun_direction_world(scene)),
                                 inputs.opaque,
+                                inputs.air,
                                 sight,
                                 clouds.march->reprojection ? turn_ : 0};
     const Handles handles{inputs.passes.weather, inputs.passes.columns, inputs.passes.sun, inputs.noise, inputs.light};
@@ -88,6 +89,12 @@ void CloudMarchPass::update(const scene::Scene& scene, const scene::Clouds& clou
     reads.push_back(clouds.march->sun_path == scene::CloudSunPath::grid ? handles.sun.index : handles.columns.index);
     if (inputs.opaque.index >= 0) {
         reads.push_back(inputs.opaque.index);
+    }
+    if (inputs.air) {
+        reads.push_back(inputs.air->transmittance.index);
+        if (inputs.air->multiple_scattering.index >= 0) {
+            reads.push_back(inputs.air->multiple_scattering.index);
+        }
     }
     for (const PassId pass : {march_, count_}) {
         graph_.set_reads(pass, reads);
@@ -106,6 +113,7 @@ gl::Defines CloudMarchPass::defines_of(const Parameters& parameters, bool counti
     };
     add(is_box(parameters.layer), "BOX");
     add(parameters.opaque.index >= 0, "OPAQUE");
+    add(parameters.air.has_value(), "AIR");
     add(parameters.march.sun_path == scene::CloudSunPath::cone, "CONE");
     add(parameters.march.empty_space_skipping, "LEAP");
     add(parameters.march.big_steps, "BIG_STEPS");
@@ -170,7 +178,8 @@ void CloudMarchPass::set_march(const PassAccess& access, gl::Program& program, c
     program.set("world_from_camera", glm::mat3(glm::dmat3(frame.right_world, frame.up_world, frame.back_world)));
     program.set("eye_altitude", float(camera.eye_world.y));
     program.set("near_distance", float(camera.near_distance));
-    program.set("planet_radius", float(scene::Atmosphere{}.planet_radius_m));
+    program.set("planet_radius",
+                float((parameters.air ? parameters.air->atmosphere : scene::Atmosphere{}).planet_radius_m));
     program.set("band", glm::vec2(band.low_m, band.high_m));
     program.set("reach", float(march.reach_m));
     const double coarser = parameters.step_scale;
@@ -262,6 +271,10 @@ void CloudMarchPass::march(const PassAccess& access, const Parameters& parameter
         opaque.distance.bind(unit);
         program.set("opaque_distance", int(unit++));
         program.set("metres_per_unit", float(opaque.unit_world));
+    }
+    if (parameters.air) {
+        set_air(access, program, *parameters.air, unit);
+        program.set("sun_above_air", glm::vec3(parameters.air->sun_irradiance));
     }
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);

@@ -7,6 +7,7 @@
 #include "render/passes/cloud_passes.h"
 #include "render/passes/cloud_sky_pass.h"
 #include "render/passes/opaque_pass.h"
+#include "render/sky_air.h"
 
 namespace bruma::render {
 
@@ -27,6 +28,7 @@ class CloudMarchPass {
         Handle<CloudNoise> noise;
         Handle<SkyLight> light;
         Handle<OpaquePicture> opaque;  ///< index -1: none
+        std::optional<AirTables> air;  ///< none indoors
     };
     void update(const scene::Scene& scene, const scene::Clouds& clouds, const Inputs& inputs, glm::ivec2 pixels,
                 double step_scale);
@@ -48,6 +50,7 @@ class CloudMarchPass {
         CloudOrigins origins;
         glm::dvec2 lean{0.0};
         Handle<OpaquePicture> opaque;
+        std::optional<AirTables> air;
         CloudSight sight;
         int turn = 0;  ///< with reprojection another one while turns are missing
         bool operator==(const Parameters&) const = default;

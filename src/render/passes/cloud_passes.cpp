@@ -132,6 +132,7 @@ void CloudPasses::make_sun(const PassAccess& access, const SunParameters& parame
         out.depths = gl::Texture::make_3d("cloud depths", GL_RGBA16F, size);
         repeat_sideways(out.depths);
     }
+    out.band = band;
     const glm::dvec2 lean = sun_lean(parameters.to_sun_world);
     const double lengthening = std::sqrt(1.0 + glm::dot(lean, lean));
     const double slice = (band.high_m - band.low_m) / (field.slices - 1);

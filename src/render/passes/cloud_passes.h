@@ -18,6 +18,7 @@ struct CloudColumns {
 };
 struct CloudSunDepths {
     gl::Texture depths;  ///< towards the sun, up, down; columns lean towards the sun
+    scene::CloudBand band;
 };
 
 /// How far columns lean: x and z per metre of altitude. A sun lower than 3.4 degrees is taken for one that stands

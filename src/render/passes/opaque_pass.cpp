@@ -68,6 +68,8 @@ constexpr int points_in_turn = 64;
 constexpr int turns_beside_maps = 4;
 constexpr std::int64_t most_turns = 64;
 
+constexpr GLuint first_cloud_unit = 8;  ///< behind the textures of surfaces and of what is inside
+
 }  // namespace
 
 /// Lengths are counted in a power of two of metres about as long as the meshes, so that scenes of any size give numbers
@@ -124,11 +126,13 @@ void OpaquePass::remove() {
 }
 
 void OpaquePass::update(const scene::Scene& scene, const Meshes& meshes, const Translucents& translucents,
-                        Handle<ShadowMaps> shadows, glm::ivec2 pixels, Handle<SkyLight> sky) {
+                        Handle<ShadowMaps> shadows, glm::ivec2 pixels, Handle<SkyLight> sky,
+                        const CloudShadows& clouds) {
     graph_.set_source(camera_, **scene.camera, scene.camera->revision());
     graph_.set_source(shader_revision_, 0, shaders_.revision());
     Parameters parameters{
-        pixels, skipped_distance(**scene.camera, scene::world_bounds(scene)), {}, {}, *scene.environment, shadows, sky};
+        pixels, skipped_distance(**scene.camera, scene::world_bounds(scene)), {}, {}, *scene.environment, shadows, sky,
+        clouds};
     std::vector<int> reads{camera_.index, shader_revision_.index};
     if (shadows.index >= 0) {
         reads.push_back(shadows.index);
@@ -136,6 +140,7 @@ void OpaquePass::update(const scene::Scene& scene, const Meshes& meshes, const T
     if (sky.index >= 0) {
         reads.push_back(sky.index);
     }
+    clouds.add_reads(reads);
     for (const auto& [name, passes] : meshes) {
         const auto& mesh = std::get<scene::Mesh>(scene.nodes.at(name).content);
         MeshInput input;
@@ -192,7 +197,7 @@ void OpaquePass::draw(const PassAccess& access, const Parameters& parameters) {
         // Depth first: light from inside is dear, and what is hidden shall not count as seen.
         glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         for (const MeshInput& input : parameters.meshes) {
-            draw_mesh(access, prepared_program(parameters, stand, {{"DEPTH_ONLY", ""}}), input, stand, {});
+            draw_mesh(access, prepared_program(access, parameters, stand, {{"DEPTH_ONLY", ""}}), input, stand, {});
         }
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         glDepthFunc(GL_GEQUAL);
@@ -204,7 +209,7 @@ void OpaquePass::draw(const PassAccess& access, const Parameters& parameters) {
             out.unseen += draw_translucent(access, parameters, stand, input);
             continue;
         }
-        draw_mesh(access, prepared_program(parameters, stand, opaque), input, stand, parameters.shadows);
+        draw_mesh(access, prepared_program(access, parameters, stand, opaque), input, stand, parameters.shadows);
     }
     glDisable(GL_DEPTH_TEST);
     std::string note =
@@ -233,7 +238,7 @@ std::uint32_t OpaquePass::draw_translucent(const PassAccess& access, const Param
             defines.merge(entry_defines(access.read(input.inside.shown->light), input.inside.shown->settings));
             unseen.begin();
         }
-        gl::Program& program = prepared_program(parameters, stand, defines);
+        gl::Program& program = prepared_program(access, parameters, stand, defines);
         gl::Buffer lamps;
         set_inside(access, program, input, lamps);
         program.set("see_through", see_through ? 1 : 0);
@@ -274,7 +279,7 @@ bool OpaquePass::draw_thickness(const PassAccess& access, const Parameters& para
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
-    gl::Program& program = prepared_program(parameters, stand, {{"THICKNESS", ""}});
+    gl::Program& program = prepared_program(access, parameters, stand, {{"THICKNESS", ""}});
     program.set("mm_per_unit", float(1e3 * stand.unit_world));
     draw_mesh(access, program, input, stand, {});
     glDisable(GL_BLEND);
@@ -292,10 +297,11 @@ gl::Defines OpaquePass::defines_of(const Parameters& parameters) {
     if (parameters.sky.index >= 0) {
         defines["SKY_LIGHT"] = "";
     }
+    parameters.clouds.add_defines(defines);
     return defines;
 }
 
-gl::Program& OpaquePass::prepared_program(const Parameters& parameters, const Stand& stand,
+gl::Program& OpaquePass::prepared_program(const PassAccess& access, const Parameters& parameters, const Stand& stand,
                                           const gl::Defines& defines) {
     gl::Program& program = shaders_.get("mesh.frag", defines);
     program.set("pixels", glm::vec2(parameters.pixels));
@@ -306,6 +312,7 @@ gl::Program& OpaquePass::prepared_program(const Parameters& parameters, const St
                 glm::mat3(glm::dmat3(stand.frame.right_world, stand.frame.up_world, stand.frame.back_world)));
     program.set("ambient", glm::vec3(parameters.environment.radiance));
     set_lights(program, parameters.lights, stand.camera, stand.unit_world);
+    parameters.clouds.set(access, program, stand.camera.eye_world, stand.unit_world, first_cloud_unit);
     program.use();
     return program;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gl/shader_library.h"
+#include "render/cloud_shadows.h"
 #include "render/passes/mesh_passes.h"
 #include "render/passes/shadow_pass.h"
 #include "render/passes/translucent_passes.h"
@@ -34,9 +35,11 @@ class OpaquePass {
     using Meshes = std::map<std::string, std::unique_ptr<MeshPasses>>;
     using Translucents = std::map<std::string, std::unique_ptr<TranslucentPasses>>;
     /// Hands the graph this frame's sources and parameters; `meshes` are all shown ones, `translucents` what is inside
-    /// those that light enters; `shadows`: empty where nothing casts any; `sky`: empty indoors.
+    /// those that light enters; `shadows`: empty where nothing casts any; `sky`: empty indoors; `clouds`: before the
+    /// sun.
     void update(const scene::Scene& scene, const Meshes& meshes, const Translucents& translucents,
-                Handle<ShadowMaps> shadows, glm::ivec2 pixels, Handle<SkyLight> sky = {});
+                Handle<ShadowMaps> shadows, glm::ivec2 pixels, Handle<SkyLight> sky = {},
+                const CloudShadows& clouds = {});
     void remove();
 
     Handle<OpaquePicture> picture;
@@ -67,6 +70,7 @@ class OpaquePass {
         scene::Environment environment;
         Handle<ShadowMaps> shadows;
         Handle<SkyLight> sky;
+        CloudShadows clouds;
         bool operator==(const Parameters&) const = default;
     };
     struct Stand;  // where the meshes stand before the camera
@@ -83,7 +87,8 @@ class OpaquePass {
                         const MeshInput& input);
     /// Textures and constants of what is inside; the buffer must live until the mesh is drawn.
     static void set_inside(const PassAccess& access, gl::Program& program, const MeshInput& input, gl::Buffer& lamps);
-    gl::Program& prepared_program(const Parameters& parameters, const Stand& stand, const gl::Defines& defines);
+    gl::Program& prepared_program(const PassAccess& access, const Parameters& parameters, const Stand& stand,
+                                  const gl::Defines& defines);
 
     FrameGraph& graph_;
     gl::ShaderLibrary& shaders_;

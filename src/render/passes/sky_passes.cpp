@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/sky_air.h"
 #include "render/view_rays.h"
 #include "scene/sun_lamp.h"
 
@@ -142,6 +141,11 @@ void SkyPasses::update(const scene::Scene& scene, Handle<OpaquePicture> opaque, 
     graph_.set_parameters(picture_pass_, parameters);
     graph_.set_execute(picture_pass_,
                        [this, parameters, marched](const PassAccess& access) { draw(access, parameters, marched); });
+}
+
+AirTables SkyPasses::air(const scene::Outdoors& outdoors) const {
+    return {*outdoors.atmosphere, outdoors.sun->irradiance, transmittance,
+            outdoors.sky->multiple_scattering ? multiple_scattering : Handle<SkyTable>{}};
 }
 
 GLuint SkyPasses::bind_tables(const PassAccess& access, gl::Program& program, bool multiple,

@@ -3,14 +3,10 @@
 
 #include "gl/shader_library.h"
 #include "render/passes/opaque_pass.h"
+#include "render/sky_air.h"
 #include "render/sky_light.h"
 
 namespace bruma::render {
-
-/// A table of shaders/include/sky_tables.glsl: linear values at texel centres, the first and last at the ends.
-struct SkyTable {
-    gl::Texture texture;
-};
 
 /// The sky around the camera for a sun of irradiance 1.
 struct SkyViewTables {
@@ -35,6 +31,8 @@ class SkyPasses {
 
     /// Hands the graph this frame's sources and parameters; the scene is outdoors. `opaque`: its surfaces, if any.
     void update(const scene::Scene& scene, Handle<OpaquePicture> opaque, glm::ivec2 pixels);
+    /// For other passes that see through this air.
+    AirTables air(const scene::Outdoors& outdoors) const;
 
     Handle<SkyPicture> picture;
     Handle<SkyLight> light;

@@ -1,0 +1,35 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "render/passes/cloud_passes.h"
+
+namespace bruma::render {
+
+/// Clouds before the lamp that lights them, for passes that draw what stands in that light: include/cloud_shadow.glsl.
+/// They take its direct light only; what they scatter down adds nothing.
+struct CloudShadows {
+    struct Layer {
+        scene::CloudLayer layer;
+        double time_s = 0.0;  ///< 0 without wind
+        Handle<CloudSunDepths> depths;
+        bool operator==(const Layer&) const = default;
+    };
+    std::vector<Layer> layers;  ///< empty: no shadows
+    int lamp = -1;              ///< its place among the lights as `order_lights` leaves them
+    glm::dvec2 lean{0.0};
+    bool operator==(const CloudShadows&) const = default;
+
+    /// The grids, for FrameGraph::set_reads.
+    void add_reads(std::vector<int>& reads) const;
+    void add_defines(gl::Defines& defines) const;
+    /// Binds the grids from `unit` on.
+    void set(const PassAccess& access, gl::Program& program, const glm::dvec3& eye_world, double unit_world,
+             GLuint unit) const;
+};
+
+/// Of all shown layers; their depths are given in the same order.
+CloudShadows cloud_shadows(const scene::Scene& scene, const std::vector<std::string>& shown,
+                           const std::vector<Handle<CloudSunDepths>>& depths);
+
+}  // namespace bruma::render
