@@ -88,7 +88,7 @@ class CloudShadow : public Drawing {
     }
 };
 
-TEST_F(CloudShadow, OfAnEvenLayerIsBeersLaw) {
+TEST_F(CloudShadow, IsBeersLawWhereTheSunPutsIt) {
     for (const double elevation : {90.0, 45.0, 12.0}) {
         for (const double altitude : {0.0, 900.0}) {
             for (const double extinction : {4e-4, 2e-3}) {
@@ -102,9 +102,7 @@ TEST_F(CloudShadow, OfAnEvenLayerIsBeersLaw) {
             }
         }
     }
-}
-
-TEST_F(CloudShadow, OfCumulusFallsWhereTheSunPutsIt) {
+    // Of cumulus, which have rims.
     double squares = 0.0;
     int shaded = 0, lit = 0;
     const glm::dvec2 steps[] = {{0, 0},       {3e3, 1e3},   {-7e3, 1e3}, {9e3, -8e3},  {-13e3, 5e3},

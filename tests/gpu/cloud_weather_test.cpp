@@ -6,7 +6,7 @@
 namespace bruma::render {
 namespace {
 
-class CloudWeatherSize : public Drawing {
+class LongCloudWeather : public Drawing {
   protected:
     /// The usual map with each texel repeated.
     static std::shared_ptr<const scene::WeatherMap> enlarged(const scene::WeatherMap& map, int times_x, int times_y) {
@@ -34,12 +34,11 @@ class CloudWeatherSize : public Drawing {
     }
 };
 
-TEST_F(CloudWeatherSize, NeedNotBeSquare) {
+TEST_F(LongCloudWeather, NeedNotBeSquare) {
     expect_the_same(4, 1);
 }
 
-using LongCloudWeatherSize = CloudWeatherSize;
-TEST_F(LongCloudWeatherSize, IsUpTo8192By8192) {
+TEST_F(LongCloudWeather, IsUpTo8192By8192) {
     expect_the_same(16, 16);
 }
 
