@@ -217,7 +217,9 @@ CloudShadows Renderer::prepare_clouds(const scene::Scene& scene) {
     if (!clouds_) {
         clouds_ = std::make_unique<Clouds>(graph_, shaders_);
     }
-    return clouds_->prepare(scene, shown);
+    // Surfaces count their lamps so, and shadows name one of them.
+    const std::optional<scene::Scene> parallel = with_far_lamps_parallel(scene);
+    return clouds_->prepare(parallel ? *parallel : scene, shown);
 }
 
 std::vector<Handle<CloudPicture>> Renderer::update_clouds(const scene::Scene& scene, const View& view) {
