@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "cloud_scenes.h"
-#include "drawing.h"
+#include "kept_renderer.h"
 #include "reference/render_clouds.h"
 
 namespace bruma::render {
 namespace {
 
-class CloudAir : public Drawing {
+class CloudAir : public KeptRenderer {
   protected:
     /// A closed deck of the given optics, seen from the ground or from above.
     static scene::Scene deck(double bottom_m, double top_m, double eye_m, double view_elevation_deg,
@@ -33,16 +33,6 @@ class CloudAir : public Drawing {
             camera.vertical_angle_deg = vertical_angle_deg;
         });
         return scene;
-    }
-    void SetUp() override {
-        Drawing::SetUp();
-        if (!IsSkipped()) {
-            renderer = std::make_unique<Renderer>(shaders());
-        }
-    }
-    void TearDown() override {
-        renderer.reset();
-        Drawing::TearDown();
     }
     /// Radiance and transmittance of the clouds alone, top row first.
     Image clouds_of(const scene::Scene& scene, glm::ivec2 pixels) {
@@ -78,8 +68,6 @@ class CloudAir : public Drawing {
         }
         return most;
     }
-
-    std::unique_ptr<Renderer> renderer;
 };
 
 TEST_F(CloudAir, ShinesBeforeBlackCloudsAndDimsWhiteOnes) {

@@ -3,23 +3,14 @@
 #include <numbers>
 
 #include "cloud_scenes.h"
+#include "kept_renderer.h"
 #include "opaque_mesh.h"
 
 namespace bruma::render {
 namespace {
 
-class CloudShadow : public Drawing {
+class CloudShadow : public KeptRenderer {
   protected:
-    void SetUp() override {
-        Drawing::SetUp();
-        if (!IsSkipped()) {
-            renderer = std::make_unique<Renderer>(shaders());
-        }
-    }
-    void TearDown() override {
-        renderer.reset();
-        Drawing::TearDown();
-    }
     /// A level plate under a lamp and clouds, seen from close above.
     static scene::Scene plate(double altitude_m, double elevation_deg) {
         scene::Scene scene = cloud_scene(scene::CloudType::cumulus, CloudView::below);
@@ -69,8 +60,6 @@ class CloudShadow : public Drawing {
             0.7 * sun.color.g * sun.intensity * std::numbers::inv_pi * glm::normalize(sun.direction_world).y;
         return middle(scene) / clear;
     }
-
-    std::unique_ptr<Renderer> renderer;
     /// Optical depth from the middle of the plate to the sun.
     static double exact_depth(scene::Scene& scene) {
         const scene::CloudLayer& layer = *clouds_in(scene).layer;
