@@ -154,10 +154,10 @@ vec3 light_from_inside(int lamp, vec3 x_o, vec3 n_o, vec2 shift)
     bool thick = back_lit && depth >= 0.25 * radius;
     vec3 cores = back_lit ? min(core_rates, vec3((thick ? 2.0 : 1.0) / depth)) : core_rates;
     // Around a lamp amid the body, points on the far side of it are reached by uniform directions alone.
-    float uniform_share = kind == 2.0 ? (thick ? 0.5 : back_lit ? 0.25 : 0.1) : thick ? 0.2 : back_lit ? 0.25 : 0.0;
+    float uniform_share = kind == 2.0 ? (thick ? 0.5 : back_lit ? 0.25 : 0.1) : back_lit ? 0.25 : 0.0;
 #endif
     // From behind, the rim of the lit side is nearest: points as if uniform on a hemisphere over the disk.
-    float hemisphere_share = thick && kind != 2.0 ? 0.5 : 0.0;
+    float hemisphere_share = thick && kind != 2.0 ? 0.25 : 0.0;
     float disk_share = uniform_share + hemisphere_share;
 
     vec3 sum = vec3(0.0);

@@ -1,3 +1,4 @@
+#include "base/error.h"
 #include "measure/stress_rig.h"
 #include "measure/stress_scenes.h"
 
@@ -47,7 +48,14 @@ void stress_lights(StressRig& rig) {
     rig.picture("black", "a light of colour 0", lit_by({.color = glm::dvec3(0.0)}), shaded);
     rig.picture("off", "a light that is off", lit_by({.on = false}), shaded);
     rig.picture("direction-1e-100", "a direction hardly long", lit_by({.direction_world = {1e-100, 1e-100, 0.0}}));
-    rig.picture("direction-1e300", "a direction too long to square", lit_by({.direction_world = {1e300, 1e300, 0.0}}));
+    rig.number("direction-1e300", "a direction too long to square: refused", 0.0, [] {
+        try {
+            scene::check(lit_by({.direction_world = {1e300, 1e300, 0.0}}));
+        } catch (const InputError&) {
+            return 0.0;
+        }
+        return 1.0;
+    });
     scene::Scene none = lit_by({});
     none.lights.clear();
     rig.picture("no-light", "shading without any light", none, shaded);

@@ -110,8 +110,8 @@ glm::dvec2 CoreTailDensity::sample(double u, double v) const {
 BackLitDensity::BackLitDensity(const SubsurfaceMedium& medium, double depth, BoundingDisk disk)
     : around_(medium, disk.radius), disk_(disk) {
     const bool is_thin = depth < 0.25 * disk.radius;
-    uniform_share_ = is_thin ? 0.25 : 0.2;
-    hemisphere_share_ = is_thin ? 0.0 : 0.5;
+    uniform_share_ = 0.25;
+    hemisphere_share_ = is_thin ? 0.0 : 0.25;
     for (std::size_t core = 3; core < 6; ++core) {
         around_.rates_[core] = std::min(around_.rates_[core], (is_thin ? 1.0 : 2.0) / depth);
     }

@@ -65,15 +65,16 @@ struct BoundingDisk {
 /// For x_o at depth h below the lit surface: core + tail with cores no narrower than h, or h / 2 in thick parts, mixed
 /// with uniform points in the bounding disk, since from behind a body all of its lit side is seen alike. In thick parts
 /// (h at least a quarter of the disk's radius) points that would be uniform on a lit hemisphere over the disk are mixed
-/// in: the rim of the lit side is nearest to what lies behind it.
+/// in: the rim of the lit side is nearest to what lies behind it. Half of the points stay around x_o, for bodies that
+/// are no ball: a strand in another's shade is lit from beside, so near that few points elsewhere would find it.
 class BackLitDensity {
   public:
     BackLitDensity(const SubsurfaceMedium& medium, double depth, BoundingDisk disk);
     double pdf(glm::dvec2 d) const;
     glm::dvec2 sample(double u, double v) const;
-    /// Share of uniform points: 1/5, or 1/4 in thin parts.
+    /// Share of uniform points: 1/4.
     double uniform_share() const { return uniform_share_; }
-    /// Share of points on the hemisphere: 1/2, or none in thin parts.
+    /// Share of points on the hemisphere: 1/4, or none in thin parts.
     double hemisphere_share() const { return hemisphere_share_; }
     /// What both of these add to `pdf`.
     double disk_pdf(glm::dvec2 d) const;
