@@ -107,8 +107,8 @@ SubsurfaceConstants subsurface_constants(const scene::SubsurfaceMedium& medium, 
     k.a = (1.0 - k.c_e) / (2.0 * k.c_phi);
     const double f_dr = -1.440 / (eta * eta) + 0.710 / eta + 0.668 + 0.0636 * eta;
     k.standard_a = (1.0 + f_dr) / (1.0 - f_dr);
-    // Matter that neither scatters nor absorbs has no diffusion length. A thousand km is as good as none, and bodies may
-    // be a km across: lengths times coefficients are all that counts.
+    // Matter that neither scatters nor absorbs has no diffusion length. A thousand km is as good as none, and bodies
+    // may be a km across: lengths times coefficients are all that counts.
     constexpr double least = 1e-9;
     k.sigma_t_reduced = glm::max(medium.reduced_extinction(), glm::dvec3(least));
     k.sigma_t = glm::max(medium.absorption + medium.scattering(), glm::dvec3(least));
