@@ -73,13 +73,11 @@ void stress_mesh_lamps(MeshCases& cases) {
         });
     }
     for (const double metres : {1e3, 1e9}) {
+        Light spot = lamp_at(metres * way);
+        spot.kind = LightKind::spot;
+        spot.direction_world = way;
         cases.same(fmt::format("spot-far-{:g}m", metres), "a spot aimed at the ball against parallel light", 0.02,
-                   under(parallel), under([&] {
-                       Light spot = lamp_at(metres * way);
-                       spot.kind = LightKind::spot;
-                       spot.direction_world = way;
-                       return spot;
-                   }()));
+                   under(parallel), under(spot));
     }
     for (const double angle : {0.1, 90.0, 179.0}) {
         for (const double softness : {0.0, 1.0}) {
