@@ -68,7 +68,7 @@ struct LightBuildRow {
     double build_ms = 0.0, frame_ms = 0.0;
     double ratio = 0.0;  ///< median, against an emission-absorption frame of `frame_pixels`
 };
-/// Issue of the design: at most this many frames.
+/// Building after a light has changed is to take at most this many frames.
 inline constexpr double most_build_frames = 4.0;
 /// RMSE against single scattering that direct light at half resolution must keep, display range 1, g = 0.
 inline constexpr double most_single_rmse = 0.02;
