@@ -26,7 +26,7 @@ std::string png(int bits, int color_type, std::uint32_t width = 4, std::uint32_t
     for (int y = 0; y < 4; ++y) {
         rows += '\0';  // no filter
         for (int n = 0; n < (4 * channels * bits + 7) / 8; ++n) {
-            const auto value = unsigned(255.0 * stress_noise(std::size_t(16 * y + n)));
+            const auto value = unsigned(255.0 * stress_noise(16 * std::size_t(y) + std::size_t(n)));
             rows += char(color_type == palette && bits == 8 ? value & 3U : value);
         }
     }
