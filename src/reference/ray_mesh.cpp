@@ -36,6 +36,21 @@ void check(const TriangleMesh& mesh) {
     }
 }
 
+/// A ray for Embree, lengths in bounding radii.
+RTCRay unit_ray(glm::dvec3 from, glm::dvec3 direction, double near, double far) {
+    RTCRay ray{};
+    ray.org_x = float(from.x);
+    ray.org_y = float(from.y);
+    ray.org_z = float(from.z);
+    ray.tnear = float(near);
+    ray.dir_x = float(direction.x);
+    ray.dir_y = float(direction.y);
+    ray.dir_z = float(direction.z);
+    ray.tfar = float(std::min(far, 1e30));
+    ray.mask = ~0U;
+    return ray;
+}
+
 }  // namespace
 
 struct RayMesh::Traversal {
@@ -143,19 +158,7 @@ glm::dvec3 RayMesh::normal_at(std::uint32_t triangle, glm::dvec2 b) const {
 
 std::optional<MeshHit> RayMesh::first_hit(glm::dvec3 origin, glm::dvec3 direction, double limit) const {
     RTCRayHit query{};
-    const glm::dvec3 from = (origin - centre_) / radius_;
-    query.ray = {float(from.x),
-                 float(from.y),
-                 float(from.z),
-                 float(surface_offset() / radius_),
-                 float(direction.x),
-                 float(direction.y),
-                 float(direction.z),
-                 0.0F,
-                 float(std::min(limit / radius_, 1e30)),
-                 ~0U,
-                 0,
-                 0};
+    query.ray = unit_ray((origin - centre_) / radius_, direction, surface_offset() / radius_, limit / radius_);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
@@ -192,20 +195,7 @@ std::optional<MeshHit> RayMesh::first_hit(glm::dvec3 origin, glm::dvec3 directio
 }
 
 bool RayMesh::blocked(glm::dvec3 origin, glm::dvec3 direction, double limit) const {
-    RTCRay ray{};
-    const glm::dvec3 from = (origin - centre_) / radius_;
-    ray = {float(from.x),
-           float(from.y),
-           float(from.z),
-           float(surface_offset() / radius_),
-           float(direction.x),
-           float(direction.y),
-           float(direction.z),
-           0.0F,
-           float(std::min(limit / radius_, 1e30)),
-           ~0U,
-           0,
-           0};
+    RTCRay ray = unit_ray((origin - centre_) / radius_, direction, surface_offset() / radius_, limit / radius_);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcOccluded1(traversal_->scene, &context, &ray);

@@ -69,18 +69,11 @@ void CloudHistory::resolve(gl::ShaderLibrary& shaders, const CloudSight& sight, 
         texture.bind(unit);
         program.set(sampler, int(unit++));
     };
-    glDisable(GL_BLEND);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_CULL_FACE);
-    glBindVertexArray(no_vertices_.name());
-
     gl::Program& count = shaders.get("cloud_statistics.frag");
     bind(count, "fresh_radiance", sparse_.radiance);
     bind(count, "fresh_distance", sparse_.distance);
     statistics_.framebuffer.bind();
-    count.use();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    full_screen_.draw(count);
 
     const bool moved = sight != sight_;
     gl::Program& program = shaders.get("cloud_resolve.frag");
@@ -104,8 +97,7 @@ void CloudHistory::resolve(gl::ShaderLibrary& shaders, const CloudSight& sight, 
                 glm::vec3((camera.eye_world - sight_.camera.eye_world) - (sight.drifted_m - sight_.drifted_m)));
     program.set("kept_spread", moved ? 1.25F : 0.0F);
     picture.framebuffer.bind();
-    program.use();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    full_screen_.draw(program);
 
     sight_ = sight;
     missing_ = moved ? turns : std::max(0, missing_ - 1);

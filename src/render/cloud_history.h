@@ -1,4 +1,5 @@
 #pragma once
+#include "gl/full_screen.h"
 #include "gl/shader_library.h"
 #include "gl/texture.h"
 #include "scene/scene.h"
@@ -47,7 +48,7 @@ class CloudHistory {
         gl::Texture mean, spread, distance;
         gl::Framebuffer framebuffer;
     } statistics_;
-    gl::VertexArray no_vertices_{"no vertices"};
+    gl::FullScreen full_screen_;
     CloudSight sight_;
     int turn_ = 0;
     int missing_ = 0;

@@ -13,12 +13,7 @@ void Presenter::draw(const Picture& picture, const scene::Display& display, glm:
     program.set("filmic", display.tone_map == scene::ToneMap::filmic ? 1 : 0);
     program.set("dither", display.dither ? 1 : 0);
     picture.color.bind(0);
-    glDisable(GL_BLEND);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_SCISSOR_TEST);
-    glBindVertexArray(no_vertices_.name());
-    program.use();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    full_screen_.draw(program);
 }
 
 std::vector<std::uint8_t> Presenter::read(const Picture& picture, const scene::Display& display) {

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "gl/full_screen.h"
 #include "gl/shader_library.h"
 #include "render/passes/march_pass.h"
 #include "scene/rendering.h"
@@ -22,7 +23,7 @@ class Presenter {
 
   private:
     gl::ShaderLibrary& shaders_;
-    gl::VertexArray no_vertices_{"no vertices"};
+    gl::FullScreen full_screen_;
 };
 
 }  // namespace bruma::render

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "scene/disjoint_sets.h"
+
 namespace bruma::scene {
 namespace {
 
@@ -46,25 +48,6 @@ Facet facet(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     return {twice_area / length, 0.5 * length * glm::dvec3(angle(a, b, c), angle(b, c, a), angle(c, a, b))};
 }
 
-/// Sets of the corners around one vertex.
-class Pieces {
-  public:
-    void reset(std::size_t count) {
-        parent_.resize(count);
-        std::iota(parent_.begin(), parent_.end(), 0U);
-    }
-    std::uint32_t root(std::uint32_t n) {
-        while (parent_[n] != n) {
-            n = parent_[n] = parent_[parent_[n]];
-        }
-        return n;
-    }
-    void join(std::uint32_t a, std::uint32_t b) { parent_[root(a)] = root(b); }
-
-  private:
-    std::vector<std::uint32_t> parent_;
-};
-
 /// An edge from the vertex in question to `far`, on one side of which lies a corner.
 struct Spoke {
     std::uint32_t far, corner;
@@ -88,7 +71,7 @@ CornerNormals smooth_normals(std::span<const glm::dvec3> positions, std::span<co
     result.corner_normal.resize(3 * triangles.size());
     std::vector<Spoke> spokes;
     std::vector<std::uint32_t> normal_of_piece;
-    Pieces pieces;
+    DisjointSets pieces;  // of the corners around one vertex
     for (std::size_t v = 0; v < positions.size(); ++v) {
         const std::span fan(fans.corners.data() + fans.start[v], fans.start[v + 1] - fans.start[v]);
         pieces.reset(fan.size());

@@ -7,28 +7,12 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 
+#include "scene/disjoint_sets.h"
 #include "scene/mesh_weld.h"
 
 namespace bruma::scene {
 namespace {
-
-/// Sets of vertices, joined by edges.
-class Forest {
-  public:
-    explicit Forest(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-    std::uint32_t root(std::uint32_t n) {
-        while (parent_[n] != n) {
-            n = parent_[n] = parent_[parent_[n]];
-        }
-        return n;
-    }
-    void join(std::uint32_t a, std::uint32_t b) { parent_[root(a)] = root(b); }
-
-  private:
-    std::vector<std::uint32_t> parent_;
-};
 
 /// An edge between two vertices in 31 bits each, and in the last bit whether its triangle runs from high to low.
 using Edge = std::uint64_t;
@@ -89,13 +73,13 @@ std::size_t duplicate_count(std::span<const glm::uvec3> triangles) {
 /// Edges, borders and pieces of welded triangles with area.
 void examine_connections(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles,
                          MeshReport& report) {
-    Forest pieces(positions.size());
+    DisjointSets pieces(positions.size());
     for (const glm::uvec3& t : triangles) {
         pieces.join(t.x, t.y);
         pieces.join(t.y, t.z);
     }
     std::vector<char> has_hole(positions.size(), 0);
-    Forest borders(positions.size());
+    DisjointSets borders(positions.size());
     std::vector<std::uint32_t> border_ends;
     for_each_edge(sorted_edges(triangles), [&](Edge edge, std::size_t sides, std::size_t backwards) {
         report.open_edges += sides == 1 ? 1 : 0;

@@ -8,6 +8,18 @@ namespace bruma::render {
 
 using Names = std::vector<std::string>;
 
+/// Draws the scene; names of the passes that ran, sorted.
+inline Names reruns(Renderer& renderer, const scene::Scene& scene, const View& view) {
+    Names names;
+    for (const PassReport& report : renderer.render(scene, view)) {
+        if (report.ran) {
+            names.push_back(report.name);
+        }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
 /// A test of what the frame graph runs and what it compiles: one renderer with programs of its own.
 class GraphTest : public Drawing {
   protected:
@@ -23,17 +35,7 @@ class GraphTest : public Drawing {
         own_shaders.reset();
         Drawing::TearDown();
     }
-    /// Draws the scene; names of the passes that ran, sorted.
-    Names reruns() {
-        Names names;
-        for (const PassReport& report : renderer->render(scene, view)) {
-            if (report.ran) {
-                names.push_back(report.name);
-            }
-        }
-        std::sort(names.begin(), names.end());
-        return names;
-    }
+    Names reruns() { return bruma::render::reruns(*renderer, scene, view); }
     /// Why a pass ran or did not, in the last picture.
     std::string reason(const std::string& pass) const {
         for (const PassReport& report : renderer->graph().last_report()) {

@@ -1,13 +1,12 @@
 // Shelf: closed form. Paths are added, never lost or drawn twice, and begin anew exactly when something changed.
 #include <algorithm>
 
+#include "graph_test.h"
 #include "path_tracing.h"
 #include "scene/builtin.h"
 
 namespace bruma::render {
 namespace {
-
-using Names = std::vector<std::string>;
 
 class PathProgress : public PathTraced {
   protected:
@@ -28,16 +27,7 @@ class PathProgress : public PathTraced {
         renderer.reset();
         PathTraced::TearDown();
     }
-    Names reruns() {
-        Names names;
-        for (const PassReport& report : renderer->render(scene, view)) {
-            if (report.ran) {
-                names.push_back(report.name);
-            }
-        }
-        std::sort(names.begin(), names.end());
-        return names;
-    }
+    Names reruns() { return bruma::render::reruns(*renderer, scene, view); }
     Image at_once(int samples) { return trace(scene, view.pixels, {.samples = samples}).mean; }
 
     std::unique_ptr<Renderer> renderer;

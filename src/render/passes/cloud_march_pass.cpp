@@ -276,13 +276,7 @@ void CloudMarchPass::march(const PassAccess& access, const Parameters& parameter
         set_air(access, program, *parameters.air, unit);
         program.set("sun_above_air", glm::vec3(parameters.air->sun_irradiance));
     }
-    glDisable(GL_BLEND);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_CULL_FACE);
-    glBindVertexArray(no_vertices_.name());
-    program.use();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    full_screen_.draw(program);
 }
 
 }  // namespace bruma::render

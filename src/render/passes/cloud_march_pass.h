@@ -2,6 +2,7 @@
 #include <array>
 #include <optional>
 
+#include "gl/full_screen.h"
 #include "render/cloud_history.h"
 #include "render/cloud_uniforms.h"
 #include "render/passes/cloud_passes.h"
@@ -81,7 +82,7 @@ class CloudMarchPass {
 
     FrameGraph& graph_;
     gl::ShaderLibrary& shaders_;
-    gl::VertexArray no_vertices_{"no vertices"};
+    gl::FullScreen full_screen_;
     gl::Texture blue_noise_;
     CloudHistory history_;
     std::optional<Made> made_;

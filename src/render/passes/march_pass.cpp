@@ -377,13 +377,7 @@ void MarchPass::draw(const PassAccess& access, const Parameters& parameters, boo
             bind_volume(access, shader, parameters, int(n), unit, camera);
         }
     }
-    glDisable(GL_BLEND);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_CULL_FACE);
-    glBindVertexArray(no_vertices_.name());
-    shader.use();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    full_screen_.draw(shader);
     access.note(fmt::format("{} x {} pixels", pixels.x, pixels.y) +
                 (parameters.volumes.empty() ? "" : fmt::format(", step {:.3g} mm", 1e3 * h)));
 }

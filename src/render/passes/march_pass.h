@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "gl/full_screen.h"
 #include "gl/shader_library.h"
 #include "render/passes/cloud_march_pass.h"
 #include "render/passes/light_passes.h"
@@ -94,7 +95,7 @@ class MarchPass {
 
     FrameGraph& graph_;
     gl::ShaderLibrary& shaders_;
-    gl::VertexArray no_vertices_{"no vertices"};
+    gl::FullScreen full_screen_;
     gl::Texture blue_noise_;
     Handle<scene::Camera> camera_;
     Handle<scene::Background> background_;

@@ -273,13 +273,7 @@ void SkyPasses::draw(const PassAccess& access, const PictureParameters& paramete
     program.set("turbidity", float(parameters.sky.turbidity));
     program.set("look", glm::vec3(glm::dvec3(parameters.sky.look_rayleigh, parameters.sky.look_mie,
                                              parameters.sky.look_mie_g)));
-    glDisable(GL_BLEND);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_CULL_FACE);
-    glBindVertexArray(no_vertices_.name());
-    program.use();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    full_screen_.draw(program);
     access.note(fmt::format("{} x {} pixels{}", parameters.pixels.x, parameters.pixels.y,
                             marched ? ", marched along each ray" : ""));
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <glm/glm.hpp>
 
+#include "gl/full_screen.h"
 #include "gl/shader_library.h"
 #include "render/passes/opaque_pass.h"
 #include "render/sky_air.h"
@@ -64,7 +65,7 @@ class SkyPasses {
 
     FrameGraph& graph_;
     gl::ShaderLibrary& shaders_;
-    gl::VertexArray no_vertices_{"no vertices"};
+    gl::FullScreen full_screen_;
     Handle<scene::Atmosphere> atmosphere_;
     Handle<scene::Camera> camera_;
     Handle<int> shader_revision_;
