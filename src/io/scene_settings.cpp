@@ -102,9 +102,14 @@ std::vector<json*> all_of_kind(json& document, const std::string& kind) {
     return found;
 }
 
-/// JSON where it is JSON, else a word; a place that holds text takes the value as text in any case.
+/// JSON where it is JSON, else a word; a place that holds text takes the value as text in any case. Numbers with commas
+/// between them are a vector, as `--spacing` and `--up` take them.
 void assign(json& place, const std::string& value) {
     json parsed = json::parse(value, nullptr, false);
+    if (parsed.is_discarded() && !place.is_string() &&
+        value.find_first_not_of("0123456789.,+-eE ") == std::string::npos) {
+        parsed = json::parse("[" + value + "]", nullptr, false);
+    }
     const bool is_text = parsed.is_discarded() || (place.is_string() && !parsed.is_string() && !parsed.is_structured());
     place = is_text ? json(value) : std::move(parsed);
 }

@@ -195,6 +195,17 @@ TEST(SceneSettings, ReachEveryFieldByItsPath) {
     EXPECT_EQ((*scene.camera)->eye_world, glm::dvec3(1, 2, 3));
 }
 
+TEST(SceneSettings, VectorsMayComeWithoutBrackets) {
+    json document = to_json(rich_scene());
+    apply_setting(document, "nodes.bonsai.transform.scale=1, -2.5,3e2");
+    apply_setting(document, "volume.source.file=1,2");
+    const scene::Scene scene = from_json(document, "--set");
+    EXPECT_EQ(scene.nodes.at("bonsai").transform->scale, glm::dvec3(1, -2.5, 300));
+    EXPECT_EQ(std::get<scene::Volume>(scene.nodes.at("bonsai").content).source.file, "1,2") << "text stays text";
+    apply_setting(document, "nodes.bonsai.transform.scale=1,2");
+    EXPECT_TRUE(contains(refusal([&] { from_json(document, ""); }), "expected an array of 3 numbers"));
+}
+
 TEST(SceneSettings, TakeHyphensForUnderscoresInWords) {
     const scene::Scene scene;
     json document = to_json(scene);
