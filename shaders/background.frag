@@ -1,8 +1,13 @@
 #version 450 core
 // The picture where no volume stands in the scene. OPAQUE: there are surfaces before the background, SKY: a picture of
-// both stands ready, CLOUDS: layers of clouds.
+// both stands ready, CLOUDS, SHAFTS: see include/clouds_over.glsl.
 #ifdef OPAQUE
 #include "include/opaque.glsl"
+#endif
+#ifdef SHAFTS
+#include "include/view_ray.glsl"
+#else
+uniform vec2 pixels;
 #endif
 #ifdef CLOUDS
 #include "include/clouds_over.glsl"
@@ -11,7 +16,6 @@ layout(location = 0) out vec4 picture;
 #ifdef SKY
 uniform sampler2D sky_picture;
 #endif
-uniform vec2 pixels;
 uniform vec3 background_top;
 uniform vec3 background_bottom;
 

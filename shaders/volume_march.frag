@@ -2,7 +2,8 @@
 // Emission and absorption of measured volumes along each pixel's ray, over the background.
 // VOLUMES: how many. LIT: lights matter; REFLECT: for surfaces (gradient shading), SCATTER: for scattering media, SURFACES:
 // for media that are also shaded as surfaces. GLOW: some volume shines by itself.
-// OPAQUE: rays end at surfaces. SKY: a picture of surfaces and sky stands ready. CLOUDS: there are layers of clouds.
+// OPAQUE: rays end at surfaces. SKY: a picture of surfaces and sky stands ready. CLOUDS, SHAFTS: see
+// include/clouds_over.glsl.
 // SAMPLE_AT_MIDPOINTS, LEAP, STOP_EARLY, COUNT: see include/march.glsl.
 
 #include "include/random.glsl"
@@ -17,7 +18,6 @@
 
 #ifdef CLOUDS
 #include "include/clouds_over.glsl"
-uniform float metres_per_step;
 #endif
 
 layout(location = 0) out vec4 picture;  // linear radiance; alpha = 1 - transmittance

@@ -1,12 +1,14 @@
-// Light that a layer of clouds scatters towards the eye, per scattering coefficient. Physical: the octaves of Wrenninge
-// 2013 and Hillaire 2016, with light of sky and ground. ARTISTIC: the look of Alaminos 2020, repaired; no phase function.
-// OCTAVES: how many. HALVING: each halves the optical depth, so that one exponential serves them all.
+// Light that a layer of clouds scatters towards the eye, per scattering coefficient, with light of sky and ground. What is
+// scattered more than once diffuses, by a fit to random paths (reference/cloud_lighting.h), or OCTAVES: as many octaves of
+// Wrenninge 2013 and Hillaire 2016; HALVING: each halves the optical depth, so that one exponential serves them all.
+// ARTISTIC: the look of Alaminos 2020, repaired; no phase function.
 #include "include/sky_light.glsl"
 
 struct CloudOptics {
     float extinction;  // 1/m at density 1
     float albedo;
     vec3 lobes;        // forward g, backward g, share of the forward lobe
+    float reduced;     // 1 - mean g
     vec3 octave;       // factors of strength, optical depth and asymmetry from each to the next
     float ambient;
     vec4 look;         // ARTISTIC: asymmetries towards and away from the sun, their mix, absorption per optical depth
@@ -42,6 +44,33 @@ vec3 cloud_light(vec3 sun, vec3 depths)
     float powder = mix(2.0 * (1.0 - exp(-2.0 * x)), 1.0, towards_sun);
     return exp(-x) * powder * in_out_scatter * sun +
            optics.ambient * sky_light.sky_radiance.rgb;
+}
+#elif !defined(OCTAVES)
+float single_phase;
+float ahead_phase;
+float around;
+
+void begin_cloud_light(float mu)
+{
+    single_phase = mix(henyey_greenstein(mu, optics.lobes.y), henyey_greenstein(mu, optics.lobes.x), optics.lobes.z);
+    ahead_phase = 0.77 * mix(henyey_greenstein(mu, 0.77 * optics.lobes.y), henyey_greenstein(mu, 0.77 * optics.lobes.x),
+                             optics.lobes.z);
+    around = one_over_4pi * (0.8 + 1.25 * max(sky_light.to_sun.y, 0.0));
+}
+
+// `sun`: its irradiance, but for the clouds; `depths`: optical depths towards the sun, up and down.
+vec3 cloud_light(vec3 sun, vec3 depths)
+{
+    float whole_depth = depths.y + depths.z;
+    float whole = optics.reduced * whole_depth;
+    float down = optics.reduced * depths.z;
+    float not_absorbed = 1.0 / (1.0 + (1.0 - optics.albedo) * whole_depth);
+    float leak = (down + 1.7) / (optics.reduced * depths.x + down + 3.4);
+    float again = whole / (whole + 0.35) * (ahead_phase * exp(-0.32 * depths.x) + around * leak);
+    float above = (down + 1.1) / (whole + 2.2);
+    vec3 ambient = above * sky_light.sky_radiance.rgb + (1.0 - above) / (1.0 + 0.25 * whole) * sky_light.ground_radiance.rgb;
+    return optics.albedo * ((single_phase * exp(-depths.x) + optics.albedo * not_absorbed * again) * sun +
+                            optics.ambient * not_absorbed * ambient);
 }
 #else
 float octave_phase[OCTAVES];

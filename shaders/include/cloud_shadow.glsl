@@ -14,13 +14,9 @@ uniform vec2 cloud_lean;             // x and z of the way to the lamp per metre
 uniform int cloud_lamp;              // the one that they stand before
 uniform vec2 cloud_metres;           // per unit; altitude of the eye
 
-// `from_eye`: in the pass's unit of length, world axes.
-float light_through_clouds(int lamp, vec3 from_eye)
+// `p`: x and z from the eye and the altitude between them, m.
+float light_through_clouds_at(vec3 p)
 {
-    if (lamp != cloud_lamp) {
-        return 1.0;
-    }
-    vec3 p = from_eye * cloud_metres.x + vec3(0.0, cloud_metres.y, 0.0);
     float depth = 0.0;
     for (int n = 0; n < CLOUD_SHADOWS; ++n) {
         CloudShade shade = cloud_shades[n];
@@ -36,4 +32,10 @@ float light_through_clouds(int lamp, vec3 from_eye)
         depth += share < 1.0 && inside ? way : 0.0;
     }
     return exp(-depth);
+}
+
+// `from_eye`: in the pass's unit of length, world axes.
+float light_through_clouds(int lamp, vec3 from_eye)
+{
+    return lamp == cloud_lamp ? light_through_clouds_at(from_eye * cloud_metres.x + vec3(0.0, cloud_metres.y, 0.0)) : 1.0;
 }

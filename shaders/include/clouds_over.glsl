@@ -1,13 +1,20 @@
 // Layers of clouds before and behind what else is in the picture, by their mean distances: exact where their stretches
-// along the ray do not overlap. CLOUDS: how many layers.
+// along the ray do not overlap. CLOUDS: how many layers. SHAFTS: air that their shadows cross; needs view_ray.glsl.
 
 uniform sampler2D cloud_radiance[CLOUDS];  // added radiance; alpha: transmittance
 uniform sampler2D cloud_distance[CLOUDS];  // metres
+uniform float metres_per_step;
+#ifdef SHAFTS
+#include "include/cloud_shafts.glsl"
+#endif
 
 // `matter`: radiance and transmittance of volumes, `matter_at` where they begin, metres; `behind`: the rest, alpha = how
 // much of the background it covers. Returns a picture like `behind`.
 vec4 with_clouds(vec4 matter, float matter_at, vec4 behind)
 {
+#ifdef SHAFTS
+    behind.rgb -= min(behind.rgb, mix(shafts_background, 1.0, behind.a) * missing_light(end_of_ray(behind.a)));
+#endif
     vec4 parts[CLOUDS + 1];
     float at[CLOUDS + 1];
     parts[0] = matter;
@@ -16,6 +23,9 @@ vec4 with_clouds(vec4 matter, float matter_at, vec4 behind)
     for (int n = 0; n < CLOUDS; ++n) {
         vec4 part = texelFetch(cloud_radiance[n], ivec2(gl_FragCoord.xy), 0);
         float distance = texelFetch(cloud_distance[n], ivec2(gl_FragCoord.xy), 0).x;
+#ifdef SHAFTS
+        part.rgb -= min(part.rgb, (1.0 - part.a) * missing_light(distance));
+#endif
         int place = n + 1;
         for (int k = n; k >= 0; --k) {
             if (at[k] < distance) {

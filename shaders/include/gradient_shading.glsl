@@ -85,7 +85,11 @@ vec3 reflected_source(int m, vec3 color, float weight, float t)
     vec3 toward_eye = -ray_direction_world;
     Reflected reflected = Reflected(vec3(s.ambient), vec3(0.0));
     for (int n = 0; n < DIRECTIONAL_LIGHTS; ++n) {
-        reflect_light(s, lights[n].toward, lights[n].irradiance, point.normal, toward_eye, point.facing_eye, reflected);
+        vec3 irradiance = lights[n].irradiance;
+#ifdef CLOUD_SHADOWS
+        irradiance *= light_through_clouds(n, ray_origin_steps + t * ray_direction_world);
+#endif
+        reflect_light(s, lights[n].toward, irradiance, point.normal, toward_eye, point.facing_eye, reflected);
     }
     for (int n = DIRECTIONAL_LIGHTS; n < light_count; ++n) {
         Incident incident = incident_from_point(n, t);

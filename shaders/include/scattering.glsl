@@ -61,6 +61,9 @@ vec3 scattered_source(int m, vec3 color, float weight, float t)
 #endif
     for (int n = 0; n < light_count; ++n) {
         Incident incident = n < DIRECTIONAL_LIGHTS ? incident_from_afar(n) : incident_from_point(n, t);
+#ifdef CLOUD_SHADOWS
+        incident.irradiance *= light_through_clouds(n, ray_origin_steps + t * ray_direction_world);
+#endif
         Arriving arriving = arriving_light(m, n, x, incident);
         float opacity = opacity_of(arriving.depth);
         float direct = (1.0 - opacity) * arriving.direct;

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 
 #include "base/installation.h"
-#include "measure/image_error.h"
 #include "reference/render_clouds.h"
 #include "render/renderer.h"
 #include "scene/builtin_clouds.h"
@@ -32,6 +32,8 @@ std::vector<Technique> techniques(bool quick) {
         {"no early end", [](auto& march) { march.early_termination = false; }},
         {"steps of one length", [](auto& march) { march.optical_step = 0.0; }},
         {"cone", [](auto& march) { march.sun_path = scene::CloudSunPath::cone; }},
+        {"detail everywhere", [](auto& march) { march.detail_where_it_shows = false; }},
+        {"hashed jitter", [](auto& march) { march.jitter = scene::Jitter::hashed; }},
         {"blue noise", [](auto& march) { march.jitter = scene::Jitter::blue_noise; }},
         {"none of them",
          [](auto& march) {
@@ -81,23 +83,12 @@ Timed timed_frames(render::Renderer& renderer, scene::Scene scene, const render:
 }
 
 CloudBenchRow row_of(render::Renderer& renderer, scene::Scene scene, const Technique& technique, const Image& truth,
-                     const CloudBenchOptions& options) {
+                     const std::vector<std::size_t>& places, const CloudBenchOptions& options) {
     clouds_in(scene).march.edit(technique.change);
     CloudBenchRow row{.technique = technique.name};
-    renderer.render(scene, {options.reference_pixels, 1.0});
-    const Image found = renderer.read_picture();
-    double sum = 0.0, level = 0.0;
-    for (std::size_t n = 0; n < truth.rgba.size(); ++n) {
-        if (n % 4 != 3) {
-            sum += double(found.rgba[n]) - truth.rgba[n];
-            level += double(truth.rgba[n]) * truth.rgba[n];
-        }
-    }
-    const double count = 3.0 * double(truth.pixel_count());
-    row.rmse = compare_images(found, truth).rmse;
-    row.relative_rmse = row.rmse / std::sqrt(std::max(1e-12, level / count));
-    row.bias = sum / count;
     const render::View view{options.pixels, 1.0};
+    renderer.render(scene, view);
+    row.error = error_at(places, renderer.read_picture(), truth);
     const Timed took = timed_frames(renderer, scene, view, options.repeats);
     row.ms = took.ms;
     row.cpu_ms = took.cpu_ms;
@@ -133,6 +124,8 @@ double flicker(render::Renderer& renderer, const scene::Scene& scene, const rend
 
 CloudPan pan_of(gl::ShaderLibrary& shaders, scene::Scene scene, const CloudBenchOptions& options) {
     const render::View view{options.pixels, 1.0};
+    std::vector<std::size_t> everywhere(std::size_t(options.pixels.x) * options.pixels.y);
+    std::iota(everywhere.begin(), everywhere.end(), std::size_t(0));
     render::Renderer full(shaders), reprojected(shaders);
     CloudPan pan;
     const Timed whole = timed_frames(full, scene, view, options.repeats);
@@ -151,16 +144,19 @@ CloudPan pan_of(gl::ShaderLibrary& shaders, scene::Scene scene, const CloudBench
         const Duration took = drained([&] { reprojected.render(sparse, view); });
         wall.push_back(took.wall_ms);
         cpu.push_back(took.cpu_ms);
+        if (frame % 8 == 7) {
+            full.render(scene, view);
+            pan.rmse_in_motion = std::max(pan.rmse_in_motion,
+                                          error_at(everywhere, reprojected.read_picture(), full.read_picture()).rmse);
+        }
     }
     pan.ms = median(wall);
     pan.cpu_ms = median(cpu);
-    full.render(scene, view);
     const Image truth = full.read_picture();
-    pan.rmse_from_full = compare_images(reprojected.read_picture(), truth).rmse;
     while (reprojected.missing_cloud_turns() > 0) {
         reprojected.render(sparse, view);
     }
-    pan.rmse_at_rest = compare_images(reprojected.read_picture(), truth).rmse;
+    pan.rmse_at_rest = error_at(everywhere, reprojected.read_picture(), truth).rmse;
     pan.flicker = flicker(reprojected, sparse, view, options.quick ? 4 : 64);
     return pan;
 }
@@ -174,7 +170,7 @@ void say_costs(const CloudBench& bench) {
         if (heap == bench.scenes.end()) {
             continue;
         }
-        const double rmse = heap->rows.front().rmse;
+        const double rmse = heap->rows.front().error.rmse;
         if (const auto cost = cost_beside(strata, *heap, rmse); cost && strata.preset != "cumulus") {
             bench.options.say(fmt::format("{} {}: {:.2g} times the lookups of cumulus at an RMSE of {:.2g}",
                                           strata.preset, strata.view, *cost, rmse));
@@ -217,16 +213,20 @@ CloudBench run_cloud_bench(const CloudBenchOptions& options) {
             exact.fixed_step_m = options.quick ? 24.0 : 8.0;
             exact.fixed_sun_samples = options.quick ? 32 : 96;
             exact.march.stop_transmittance = 1e-4;
-            const Image truth =
-                reference::render_clouds(scene, options.reference_pixels.x, options.reference_pixels.y, exact).image;
+            const std::vector<std::size_t> places = spread_pixels(options.pixels, options.truth_pixels);
+            exact.wanted.assign(std::size_t(options.pixels.x) * options.pixels.y, 0);
+            for (const std::size_t place : places) {
+                exact.wanted[place] = 1;
+            }
+            const Image truth = reference::render_clouds(scene, options.pixels.x, options.pixels.y, exact).image;
             result.reference_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
             render::Renderer renderer(shaders);  // one for all, so that noise and grids are made once
             for (const Technique& technique : techniques(options.quick)) {
-                result.rows.push_back(row_of(renderer, scene, technique, truth, options));
+                result.rows.push_back(row_of(renderer, scene, technique, truth, places, options));
             }
             result.pan = pan_of(shaders, scene, options);
             if (options.paths > 0) {
-                result.bias = octave_bias(scene, options.reference_pixels / 2, options.paths);
+                result.bias = multiple_scattering_bias(scene, options.bias_pixels, options.paths);
             }
             if (options.say) {
                 options.say(fmt::format("{} {}: {}", result.preset, result.view, finding(result)));

@@ -5,22 +5,22 @@
 
 namespace bruma::measure {
 
-CloudBias octave_bias(scene::Scene scene, glm::ivec2 pixels, std::uint32_t samples) {
+CloudBias multiple_scattering_bias(scene::Scene scene, glm::ivec2 pixels, std::uint32_t samples) {
     scene.background = scene::Background{.top = glm::dvec3(0.0), .bottom = glm::dvec3(0.0)};
     reference::CloudImageOptions options;
     options.fixed_step_m = 16.0;
     options.fixed_sun_samples = 64;
     options.march.stop_transmittance = 1e-4;
-    const Image octaves = reference::render_clouds(scene, pixels.x, pixels.y, options).image;
+    const Image by_model = reference::render_clouds(scene, pixels.x, pixels.y, options).image;
     options.paths = reference::LightPaths::multiple;
     options.samples = samples;
     const reference::ScatteringImage paths = reference::render_clouds(scene, pixels.x, pixels.y, options);
     CloudBias bias;
-    const double count = double(octaves.pixel_count());
+    const double count = double(by_model.pixel_count());
     double variance = 0.0, squares = 0.0;
-    for (std::size_t n = 0; n < octaves.pixel_count(); ++n) {
-        const double modelled = octaves.rgba[4 * n + 1], true_one = paths.image.rgba[4 * n + 1];
-        bias.octaves += modelled / count;
+    for (std::size_t n = 0; n < by_model.pixel_count(); ++n) {
+        const double modelled = by_model.rgba[4 * n + 1], true_one = paths.image.rgba[4 * n + 1];
+        bias.modelled += modelled / count;
         bias.paths += true_one / count;
         squares += (modelled - true_one) * (modelled - true_one) / count;
         variance += double(paths.error[n].g) * paths.error[n].g / count;

@@ -15,9 +15,10 @@ BenchTable table_of(const CloudBenchScene& scene) {
     using Row = CloudBenchRow;
     return bench_table<Row>(
         {{"technique", "technique", {}, [](const Row& row) { return row.technique; }},
-         {"rmse", "RMSE", "{:.4f}", [](const Row& row) { return row.rmse; }},
-         {"relative_rmse", "relative RMSE", "{:.4f}", [](const Row& row) { return row.relative_rmse; }},
-         {"bias", "bias", "{:+.4f}", [](const Row& row) { return row.bias; }},
+         {"rmse", "RMSE", "{:.4f}", [](const Row& row) { return row.error.rmse; }},
+         {"rmse_standard_error", "±", "{:.4f}", [](const Row& row) { return row.error.standard_error; }},
+         {"relative_rmse", "relative RMSE", "{:.4f}", [](const Row& row) { return row.error.relative_rmse; }},
+         {"bias", "bias", "{:+.4f}", [](const Row& row) { return row.error.bias; }},
          {"ms", "ms", "{:.1f}", [](const Row& row) { return row.ms; }},
          {"cpu_ms", "CPU ms", "{:.1f}", [](const Row& row) { return row.cpu_ms; }},
          {"turns_per_pixel", "turns / px", "{:.1f}", [](const Row& row) { return row.turns; }},
@@ -40,11 +41,11 @@ nlohmann::json json_of(const CloudBenchScene& scene) {
               {"ms", pan.ms},
               {"full_cpu_ms", pan.full_cpu_ms},
               {"cpu_ms", pan.cpu_ms},
-              {"rmse_from_full", pan.rmse_from_full},
+              {"rmse_in_motion", pan.rmse_in_motion},
               {"rmse_at_rest", pan.rmse_at_rest},
               {"flicker", pan.flicker}}},
-            {"octaves",
-             {{"mean", bias.octaves},
+            {"multiple_scattering",
+             {{"mean", bias.modelled},
               {"mean_of_paths", bias.paths},
               {"standard_error", bias.standard_error},
               {"rms_difference", bias.rms}}}};
@@ -53,16 +54,16 @@ nlohmann::json json_of(const CloudBenchScene& scene) {
 std::string page_of(const CloudBench& bench) {
     std::string text = page_head("Bruma: clouds, time against error", "Clouds: run time against error");
     text += fmt::format(
-        "<p class=\"soft\">{} \u00d7 {} pixels. {}</p>\n<p>Errors are those of {} \u00d7 {} pixels in linear light "
+        "<p class=\"soft\">{} \u00d7 {} pixels. {}</p>\n<p>Errors are those of {} pixels spread over the picture, in "
+        "linear light "
         "against the double-precision march of the same field and the same model of light. Milliseconds are numbers of "
         "this machine on this day; lookups are the same everywhere.</p>\n",
-        bench.options.pixels.x, bench.options.pixels.y, machine_html(bench.machine), bench.options.reference_pixels.x,
-        bench.options.reference_pixels.y);
+        bench.options.pixels.x, bench.options.pixels.y, machine_html(bench.machine), bench.options.truth_pixels);
     for (const CloudBenchScene& scene : bench.scenes) {
         LogLogPlot plot{"lookups of noise and light per pixel", "RMSE", {}};
         for (std::size_t n = 0; n < scene.rows.size(); ++n) {
             const CloudBenchRow& row = scene.rows[n];
-            plot.lines.push_back({row.technique, {{row.noise + row.light, row.rmse}}, false, int(n % 6)});
+            plot.lines.push_back({row.technique, {{row.noise + row.light, row.error.rmse}}, false, int(n % 6)});
         }
         text += fmt::format("<section><h2>{}, {}</h2>\n<div class=\"plots\">\n", scene.preset, scene.view);
         text += figure("Error against lookups", svg_of(plot), finding(scene)) + "</div>\n<p>" +
@@ -76,7 +77,7 @@ std::optional<double> cost_at(const CloudBenchScene& scene, double rmse) {
     std::vector<std::pair<double, double>> line;  // lookups, RMSE
     for (const CloudBenchRow& row : scene.rows) {
         if (row.technique == "usual" || row.technique.starts_with("step ")) {
-            line.emplace_back(row.noise + row.light, row.rmse);
+            line.emplace_back(row.noise + row.light, row.error.rmse);
         }
     }
     std::sort(line.begin(), line.end());
@@ -99,23 +100,23 @@ std::optional<double> cost_at(const CloudBenchScene& scene, double rmse) {
 std::string finding(const CloudBenchScene& scene) {
     const CloudBenchRow& usual = scene.rows.front();
     return fmt::format(
-        "RMSE {:.2g} (bias {:+.2g}) in {:.0f} ms, {:.0f} turns and {:.0f} lookups of noise per pixel; with "
+        "RMSE {:.2g} ± {:.1g} (bias {:+.2g}) in {:.0f} ms, {:.0f} turns and {:.0f} lookups of noise per pixel; with "
         "reprojection a "
         "frame of a pan costs {:.2g} of a full one and is {:.2g} from it",
-        usual.rmse, usual.bias, usual.ms, usual.turns, usual.noise,
-        scene.pan.cpu_ms / std::max(1e-9, scene.pan.full_cpu_ms), scene.pan.rmse_from_full);
+        usual.error.rmse, usual.error.standard_error, usual.error.bias, usual.ms, usual.turns, usual.noise,
+        scene.pan.cpu_ms / std::max(1e-9, scene.pan.full_cpu_ms), scene.pan.rmse_in_motion);
 }
 
 std::string finding_bias(const CloudBenchScene& scene) {
     const CloudBias& bias = scene.bias;
     if (bias.paths <= 0.0) {
-        return "the octaves were not judged";
+        return "light scattered more than once was not judged";
     }
     return fmt::format(
-        "the octaves give {:.3g} where random paths give {:.3g} ± {:.1g}: {:+.0f} ± {:.1g} %; single pixels "
+        "all scattered light gives {:.3g} where random paths give {:.3g} ± {:.1g}: {:+.0f} ± {:.1g} %; single pixels "
         "differ by {:.2g}",
-        bias.octaves, bias.paths, bias.standard_error, 100.0 * (bias.octaves / bias.paths - 1.0),
-        100.0 * bias.octaves / bias.paths * bias.standard_error / bias.paths, bias.rms);
+        bias.modelled, bias.paths, bias.standard_error, 100.0 * (bias.modelled / bias.paths - 1.0),
+        100.0 * bias.modelled / bias.paths * bias.standard_error / bias.paths, bias.rms);
 }
 
 std::optional<double> cost_beside(const CloudBenchScene& scene, const CloudBenchScene& other, double rmse) {

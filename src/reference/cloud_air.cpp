@@ -8,7 +8,7 @@
 namespace bruma::reference {
 
 AirAlongRay::AirAlongRay(const AtmosphereTables& tables, const glm::dvec3& from_sea_level, const glm::dvec3& direction,
-                         const glm::dvec3& to_sun, double longest_m, int steps)
+                         const glm::dvec3& to_sun, double longest_m, int steps, const SunShare& sun_share)
     : longest_m_(longest_m) {
     const scene::Atmosphere& atmosphere = tables.atmosphere();
     const glm::dvec3 center(0.0, -atmosphere.planet_radius_m, 0.0);
@@ -25,7 +25,8 @@ AirAlongRay::AirAlongRay(const AtmosphereTables& tables, const glm::dvec3& from_
         if (altitude <= atmosphere.height_m) {
             const AirPoint air = air_at(atmosphere, std::max(0.0, altitude));
             const double sun_climb = glm::dot(glm::normalize(at - center), to_sun);
-            const glm::dvec3 source = (air.rayleigh * rayleigh + glm::dvec3(air.mie * mie)) *
+            const double share = sun_share ? sun_share(at) : 1.0;
+            const glm::dvec3 source = (air.rayleigh * rayleigh + glm::dvec3(air.mie * mie)) * share *
                                           tables.sun_transmittance(std::max(0.0, altitude), sun_climb) +
                                       air.scattering() * tables.multiple_scattering(std::max(0.0, altitude), sun_climb);
             const glm::dvec3 passed = glm::exp(-(high - low) * air.extinction);

@@ -49,6 +49,33 @@ double scattering_octaves(double mu, double sun_optical_depth, const scene::Clou
     return sum;
 }
 
+namespace {
+
+double mean_asymmetry(const scene::CloudOptics& optics) {
+    return optics.forward_share * optics.forward_g + (1.0 - optics.forward_share) * optics.backward_g;
+}
+
+/// What many scatterings of albedo below 1 leave; their number is about the optical depth.
+double not_absorbed(const CloudDepths& depths, const scene::CloudOptics& optics) {
+    return 1.0 / (1.0 + (1.0 - optics.albedo) * (depths.up + depths.down));
+}
+
+}  // namespace
+
+double scattered_again(double mu, double sun_climb, const CloudDepths& depths, const scene::CloudOptics& optics) {
+    const double reduced = 1.0 - mean_asymmetry(optics);
+    const double whole = reduced * (depths.up + depths.down);
+    const double leak = (reduced * depths.down + 1.7) / (reduced * (depths.sun + depths.down) + 3.4);
+    const double ahead = 0.77 * dual_lobe(mu, optics, 0.77) * std::exp(-0.32 * depths.sun);
+    const double around = (0.8 + 1.25 * std::max(0.0, sun_climb)) * leak * 0.25 * std::numbers::inv_pi;
+    return optics.albedo * not_absorbed(depths, optics) * whole / (whole + 0.35) * (ahead + around);
+}
+
+double share_from_above(const CloudDepths& depths, const scene::CloudOptics& optics) {
+    const double reduced = 1.0 - mean_asymmetry(optics);
+    return (reduced * depths.down + 1.1) / (reduced * (depths.up + depths.down) + 2.2);
+}
+
 void CloudLight::set_uniform_sky(const glm::dvec3& radiance) {
     sky_radiance = [radiance](const glm::dvec3&) { return radiance; };
     sky_scalar_irradiance = 2.0 * std::numbers::pi * radiance;
@@ -63,6 +90,19 @@ glm::dvec3 ambient_source(const CloudLight& light, const glm::dvec3& up_world, d
     const glm::dvec3 on_ground = light.sun_irradiance(0.0) * climb + light.sky_planar_irradiance;
     // Half: the lower hemisphere's 2 pi of the isotropic 1 / (4 pi).
     return sky + light.ground_albedo * on_ground * (0.5 * std::numbers::inv_pi * std::exp(-optical_depth_down));
+}
+
+glm::dvec3 diffused_ambient_source(const CloudLight& light, const glm::dvec3& up_world, const CloudDepths& depths,
+                                   const scene::CloudOptics& optics) {
+    const double above = share_from_above(depths, optics);
+    const double reduced = 1.0 - mean_asymmetry(optics);
+    const double shade = 1.0 / (1.0 + 0.25 * reduced * (depths.up + depths.down));
+    const double climb = std::max(0.0, glm::dot(up_world, light.to_sun_world));
+    const glm::dvec3 on_ground = light.sun_irradiance(0.0) * climb + light.sky_planar_irradiance;
+    // Twice what the hemispheres send without scattering: the shares are of the whole sphere.
+    return not_absorbed(depths, optics) *
+           (light.sky_scalar_irradiance * (0.5 * std::numbers::inv_pi * above) +
+            light.ground_albedo * on_ground * (std::numbers::inv_pi * (1.0 - above) * shade));
 }
 
 const std::array<glm::dvec3, 6>& cone_kernel() {

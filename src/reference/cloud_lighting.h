@@ -42,6 +42,22 @@ inline double artistic_scatter(double mu, double x, const scene::CloudOptics& op
 /// diffuse matter. Needs a <= b, else thick clouds shine by themselves.
 double scattering_octaves(double mu, double sun_optical_depth, const scene::CloudOptics& optics);
 
+/// Optical depths from a point towards the sun, straight up and straight down.
+struct CloudDepths {
+    double sun = 0.0, up = 0.0, down = 0.0;
+};
+
+/// Light of the sun that was scattered before, in 1/sr per albedo of the last scattering. In depths scaled by 1 - g it
+/// leaks out of both sides of a cloud as light does that diffuses (van de Hulst 1980, "Multiple Light Scattering"),
+/// over the lit end of the sun's ray and the lower end of the plumb line; a wider lobe follows the sun's own ray.
+/// `sun_climb`: sine of its elevation. The six constants are fitted to random paths from 496 points of cumulus,
+/// stratocumulus, stratus and cumulonimbus under suns of 8 to 88 degrees and mean g of 0.3 to 0.75; at 277 other
+/// points, altocumulus among them, the mean of all light of a genus is within 12 %.
+double scattered_again(double mu, double sun_climb, const CloudDepths& depths, const scene::CloudOptics& optics);
+
+/// Share of a random walk's ends above the cloud, from the same points.
+double share_from_above(const CloudDepths& depths, const scene::CloudOptics& optics);
+
 /// Light on clouds. Irradiances are of a plane that faces the sun, in the unit of the picture.
 struct CloudLight {
     glm::dvec3 to_sun_world{0.0, 1.0, 0.0};  ///< unit vector
@@ -61,6 +77,11 @@ struct CloudLight {
 /// above, the ground, lit without clouds, by the one below.
 glm::dvec3 ambient_source(const CloudLight& light, const glm::dvec3& up_world, double optical_depth_up,
                           double optical_depth_down);
+
+/// The same for light that diffuses: what does not come from above comes from the ground, which lies in the shade of
+/// the cloud itself.
+glm::dvec3 diffused_ambient_source(const CloudLight& light, const glm::dvec3& up_world, const CloudDepths& depths,
+                                   const scene::CloudOptics& optics);
 
 // Samples towards the sun.
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/cloud_phase.h"
+
 namespace bruma::reference {
 namespace {
 
@@ -62,6 +64,9 @@ class PointLight {
                    medium.optics.ambient * glm::mix(light_.sky_bottom, light_.sky_top, height);
         }
         const auto extinction = [](const CloudMedium& other) { return other.optics.extinction_per_m; };
+        if (medium.optics.multiple_scattering == scene::MultipleScattering::diffusion) {
+            return medium.optics.albedo * diffused(medium, at, sun, towards_sun(medium, at, extinction));
+        }
         glm::dvec3 source(0.0);
         if (sun != glm::dvec3(0.0)) {
             source += scattering_octaves(mu_, towards_sun(medium, at, extinction), medium.optics) * sun;
@@ -77,6 +82,16 @@ class PointLight {
     }
 
   private:
+    glm::dvec3 diffused(const CloudMedium& medium, const glm::dvec3& at, const glm::dvec3& sun,
+                        double towards_sun) const {
+        const auto extinction = [](const CloudMedium& other) { return other.optics.extinction_per_m; };
+        const glm::dvec3 up = medium.geometry.up_world(at);
+        const CloudDepths depths{towards_sun, along_line(media_, at, up, samples_, extinction),
+                                 along_line(media_, at, -up, samples_, extinction)};
+        const double scattered = dual_lobe(mu_, medium.optics) * std::exp(-depths.sun) +
+                                 scattered_again(mu_, light_.to_sun_world.y, depths, medium.optics);
+        return scattered * sun + medium.optics.ambient * diffused_ambient_source(light_, up, depths, medium.optics);
+    }
     template <class WeightOf>
     double towards_sun(const CloudMedium& medium, const glm::dvec3& at, const WeightOf& weight_of) const {
         return path_ == SunPath::cone ? along_cone(media_, medium, at, light_.to_sun_world, weight_of)
@@ -97,6 +112,12 @@ double difference(const CloudRayResult& coarse, const CloudRayResult& fine) {
 }
 
 }  // namespace
+
+double optical_depth(std::span<const CloudMedium> media, const glm::dvec3& from_world,
+                     const glm::dvec3& direction_world, int samples) {
+    return along_line(media, from_world, direction_world, samples,
+                      [](const CloudMedium& medium) { return medium.optics.extinction_per_m; });
+}
 
 CloudRayResult march_once(std::span<const CloudMedium> media, const CloudLight& light, const scene::Ray& ray,
                           double step_m, int sun_samples, const CloudMarchOptions& options) {

@@ -28,6 +28,10 @@ struct CloudMarchOptions {
     std::function<AirLight(double distance_m)> air = {};
 };
 
+/// Optical depth of all layers along a ray to its end, by `samples` midpoints in each stretch.
+double optical_depth(std::span<const CloudMedium> media, const glm::dvec3& from_world,
+                     const glm::dvec3& direction_world, int samples);
+
 struct CloudRayResult {
     glm::dvec3 radiance{0.0};      ///< added by the clouds, without what is behind
     double transmittance = 1.0;    ///< share of what is behind that is seen

@@ -49,10 +49,10 @@ struct Shade {
 };
 
 Shade by_march(std::span<const CloudMedium> media, const CloudLight& light, const scene::Ray& ray,
-               const CloudImageOptions& options, const CloudSky* sky) {
+               const CloudImageOptions& options, const CloudSky* sky, bool shafts) {
     CloudMarchOptions march = options.march;
     if (sky != nullptr) {
-        march.air = sky->air_along(ray, march.longest_m);
+        march.air = sky->air_along(ray, march.longest_m, shafts ? media : std::span<const CloudMedium>());
     }
     const CloudRayResult result =
         options.fixed_step_m ? march_once(media, light, ray, *options.fixed_step_m, options.fixed_sun_samples, march)
@@ -94,9 +94,18 @@ CloudSky::CloudSky(const scene::Scene& scene, const SkyTableOptions& options)
       irradiance_(scene.outdoors->sun->irradiance),
       light_(light_of_sky(tables_, *scene.outdoors->sun, 1.0)) {}
 
-std::function<AirLight(double)> CloudSky::air_along(const scene::Ray& ray, double longest_m) const {
-    const glm::dvec3 from = ray.origin_world - glm::dvec3(eye_world_.x, 0.0, eye_world_.z);
-    const AirAlongRay air(*tables_, from, ray.direction_world, light_.to_sun_world, longest_m);
+std::function<AirLight(double)> CloudSky::air_along(const scene::Ray& ray, double longest_m,
+                                                    std::span<const CloudMedium> shading, int samples) const {
+    const glm::dvec3 sea_level(eye_world_.x, 0.0, eye_world_.z);
+    AirAlongRay::SunShare share;
+    if (!shading.empty()) {
+        share = [&](const glm::dvec3& at) {
+            return std::exp(-optical_depth(shading, sea_level + at, light_.to_sun_world, samples));
+        };
+    }
+    constexpr int steps = 512;
+    const AirAlongRay air(*tables_, ray.origin_world - sea_level, ray.direction_world, light_.to_sun_world, longest_m,
+                          steps, share);
     return [air, irradiance = irradiance_](double distance_m) {
         const AirLight light = air.before(distance_m);
         return AirLight{irradiance * light.radiance, light.transmittance};
@@ -122,8 +131,12 @@ ScatteringImage render_clouds(const scene::Scene& scene, int width, int height, 
     out.error.resize(std::size_t(width) * height);
     std::atomic<std::uint64_t> evaluations{0};
     for_each_pixel(scene, width, height, options.progress, [&](const Pixel& pixel) {
+        if (!options.wanted.empty() && options.wanted[pixel.index] == 0) {
+            return;
+        }
         const Shade shade = options.paths == LightPaths::single
-                                ? by_march(media, light, pixel.ray, options, sky ? &*sky : nullptr)
+                                ? by_march(media, light, pixel.ray, options, sky ? &*sky : nullptr,
+                                           scene.outdoors && scene.outdoors->sky->shafts)
                                 : by_paths(media, light, pixel, options);
         const glm::dvec3 seen = shade.radiance + shade.transmittance * pixel.background;
         float* const rgba = out.image.pixel(pixel.x, pixel.y);

@@ -19,6 +19,8 @@ struct CloudImageOptions {
     int fixed_sun_samples = 64;
     std::uint32_t samples = 256;  ///< multiple: paths for each pixel
     SkyTableOptions sky_tables = fine_sky_tables();
+    std::vector<std::uint8_t> wanted =
+        {};  ///< pixels that are not 0 alone are worked out, the others black; empty: all
     std::function<void(double)> progress = {};
 };
 
@@ -31,8 +33,11 @@ class CloudSky {
   public:
     CloudSky(const scene::Scene& scene, const SkyTableOptions& options);
     const CloudLight& light() const { return light_; }
-    /// Air before a point of the ray at a distance.
-    std::function<AirLight(double distance_m)> air_along(const scene::Ray& ray, double longest_m) const;
+    /// Air before a point of the ray at a distance, in the shadows of these clouds; `samples` per layer on each way to
+    /// the sun.
+    std::function<AirLight(double distance_m)> air_along(const scene::Ray& ray, double longest_m,
+                                                         std::span<const CloudMedium> shading = {},
+                                                         int samples = 64) const;
 
   private:
     std::shared_ptr<const AtmosphereTables> tables_;
@@ -41,10 +46,10 @@ class CloudSky {
 };
 
 /// All shown layers of clouds over the background, seen by the scene's camera at the scene's time, in double precision.
-/// Outdoors the sun reaches each point through the air above it and the air before each point is seen, all by the sun's
-/// elevation at the camera; the sky behind is left out, and its light is that on the ground; all orders are not known.
-/// `error`: single: estimated; multiple: standard error. Throws InputError for a scene without camera, or with shown
-/// volumes or meshes, which this reference does not know.
+/// Outdoors the sun reaches each point through the air above it and the air before each point is seen, in the shadows
+/// of clouds unless `sky.shafts` is off, all by the sun's elevation at the camera; the sky behind is left out, and its
+/// light is that on the ground; all orders are not known. `error`: single: estimated; multiple: standard error. Throws
+/// InputError for a scene without camera, or with shown volumes or meshes, which this reference does not know.
 ScatteringImage render_clouds(const scene::Scene& scene, int width, int height, const CloudImageOptions& options = {});
 
 }  // namespace bruma::reference

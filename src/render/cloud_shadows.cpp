@@ -1,5 +1,7 @@
 #include "render/cloud_shadows.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "render/cloud_uniforms.h"
@@ -9,19 +11,6 @@
 
 namespace bruma::render {
 namespace {
-
-/// Half of the texture units that every driver has, behind those of the surfaces themselves.
-constexpr std::size_t most_layers = 8;
-
-/// Place of the sun, or indoors of the first directional lamp, among the lights that shine; -1: it does not.
-int index_of_sun(const scene::Scene& scene) {
-    const std::vector<std::string> names = order_lights(scene);
-    const auto sun = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
-        return scene.outdoors ? name == scene::sun_lamp_name
-                              : scene.lights.at(name)->kind == scene::LightKind::directional;
-    });
-    return sun == names.end() ? -1 : int(sun - names.begin());
-}
 
 /// Around the box of a layer from above, from the eye; a shell ends nowhere.
 glm::vec4 sides(const scene::CloudLayer& layer, const glm::dvec3& eye_world) {
@@ -34,6 +23,25 @@ glm::vec4 sides(const scene::CloudLayer& layer, const glm::dvec3& eye_world) {
 }
 
 }  // namespace
+
+std::string shadows_left_out(const std::vector<std::string>& shown) {
+    if (shown.size() <= most_shadow_layers) {
+        return {};
+    }
+    return fmt::format(
+        "nodes.{}: of {} layers of clouds the first {} by name throw shadows; hide others, or give one "
+        "that should a name before them",
+        shown[most_shadow_layers], shown.size(), most_shadow_layers);
+}
+
+int cloud_lamp(const scene::Scene& scene) {
+    const std::vector<std::string> names = order_lights(scene);
+    const auto sun = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
+        return scene.outdoors ? name == scene::sun_lamp_name
+                              : scene.lights.at(name)->kind == scene::LightKind::directional;
+    });
+    return sun == names.end() ? -1 : int(sun - names.begin());
+}
 
 void CloudShadows::add_reads(std::vector<int>& reads) const {
     for (const Layer& layer : layers) {
@@ -67,9 +75,9 @@ void CloudShadows::set(const PassAccess& access, gl::Program& program, const glm
 CloudShadows cloud_shadows(const scene::Scene& scene, const std::vector<std::string>& shown,
                            const std::vector<Handle<CloudSunDepths>>& depths) {
     CloudShadows shadows;
-    shadows.lamp = index_of_sun(scene);
+    shadows.lamp = cloud_lamp(scene);
     shadows.lean = sun_lean(sun_direction_world(scene));
-    for (std::size_t n = 0; shadows.lamp >= 0 && n < std::min(shown.size(), most_layers); ++n) {
+    for (std::size_t n = 0; shadows.lamp >= 0 && n < std::min(shown.size(), most_shadow_layers); ++n) {
         const auto& clouds = std::get<scene::Clouds>(scene.nodes.at(shown[n]).content);
         shadows.layers.push_back(
             {*clouds.layer, clouds.layer->wind_speed_m_s > 0.0 ? scene.time->now_s : 0.0, depths[n]});

@@ -28,6 +28,14 @@ struct CloudShadows {
              GLuint unit) const;
 };
 
+/// As many layers as throw shadows: half of the texture units that every driver has, behind those of surfaces.
+constexpr std::size_t most_shadow_layers = 8;
+/// One sentence about layers beyond; empty: there are none.
+std::string shadows_left_out(const std::vector<std::string>& shown);
+
+/// Place of the sun, or indoors of the first directional lamp, among the lights that shine; -1: it does not.
+int cloud_lamp(const scene::Scene& scene);
+
 /// Of all shown layers; their depths are given in the same order.
 CloudShadows cloud_shadows(const scene::Scene& scene, const std::vector<std::string>& shown,
                            const std::vector<Handle<CloudSunDepths>>& depths);

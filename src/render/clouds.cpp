@@ -79,6 +79,31 @@ std::vector<Handle<CloudPicture>> Clouds::update(const scene::Scene& scene, cons
     return pictures;
 }
 
+Handle<CloudShafts> Clouds::update_shafts(const scene::Scene& scene, const std::vector<std::string>& shown,
+                                          const CloudShadows& shadows, const std::optional<AirTables>& air,
+                                          glm::ivec2 pixels) {
+    if (!air || shadows.layers.empty() || !scene.outdoors->sky->shafts) {
+        forget_shafts();
+        return {};
+    }
+    if (!shafts_) {
+        shafts_ = std::make_unique<CloudShaftsPass>(graph_, shaders_);
+    }
+    double reach = 0.0;
+    for (const std::string& name : shown) {
+        reach = std::max(reach, clouds_in(scene, name).march->reach_m);
+    }
+    shafts_->update(scene, shadows, *air, reach, pixels);
+    return shafts_->shafts;
+}
+
+void Clouds::forget_shafts() {
+    if (shafts_) {
+        shafts_->remove();
+        shafts_.reset();
+    }
+}
+
 void Clouds::forget_own_sky() {
     if (sky_) {
         sky_->remove();
@@ -95,6 +120,7 @@ void Clouds::remove() {
         noise->remove();
     }
     forget_own_sky();
+    forget_shafts();
 }
 
 int Clouds::missing_turns() const {

@@ -6,6 +6,7 @@
 
 #include "render/cloud_shadows.h"
 #include "render/passes/cloud_march_pass.h"
+#include "render/passes/cloud_shafts_pass.h"
 
 namespace bruma::render {
 
@@ -26,6 +27,10 @@ class Clouds {
     /// Hands the graph the rest; returns the picture of each layer of the last `prepare`.
     std::vector<Handle<CloudPicture>> update(const scene::Scene& scene, const std::vector<std::string>& shown,
                                              Surroundings around, glm::ivec2 pixels, double step_scale);
+    /// What the air misses in their shadows; an empty handle indoors, and where that is not asked for.
+    Handle<CloudShafts> update_shafts(const scene::Scene& scene, const std::vector<std::string>& shown,
+                                      const CloudShadows& shadows, const std::optional<AirTables>& air,
+                                      glm::ivec2 pixels);
     void remove();
     /// With reprojection: turns that are missing until the picture is as if all of it had been marched.
     int missing_turns() const;
@@ -42,11 +47,13 @@ class Clouds {
         CloudMarchPass march;
     };
     void forget_own_sky();
+    void forget_shafts();
     void keep_only(const scene::Scene& scene, const std::vector<std::string>& shown);
 
     FrameGraph& graph_;
     gl::ShaderLibrary& shaders_;
     std::unique_ptr<CloudSkyPass> sky_;  ///< none outdoors
+    std::unique_ptr<CloudShaftsPass> shafts_;
     std::map<scene::NoisePacking, std::unique_ptr<CloudNoisePass>> noise_;
     std::map<std::string, std::unique_ptr<Layer>> layers_;
 };

@@ -110,8 +110,14 @@ void Renderer::update_passes(const scene::Scene& scene, const View& view) {
         if (sky_) {
             sky_->update(scene, opaque, view.pixels);
         }
-        march_.update(scene, volumes_, lights_, opaque, update_clouds(scene, view), {view.pixels, view.step_scale},
-                      step, sky_ ? sky_->picture : Handle<SkyPicture>{});
+        const std::vector<Handle<CloudPicture>> clouds = update_clouds(scene, view);
+        march_.update(scene, volumes_, lights_, opaque, clouds, {view.pixels, view.step_scale}, step,
+                      sky_ ? sky_->picture : Handle<SkyPicture>{},
+                      clouds_ ? clouds_->update_shafts(scene, scene::shown_clouds(scene), shadows,
+                                                       sky_ ? std::optional(sky_->air(*scene.outdoors)) : std::nullopt,
+                                                       view.pixels)
+                              : Handle<CloudShafts>{},
+                      shadows);
     }
 }
 
@@ -216,6 +222,12 @@ CloudShadows Renderer::prepare_clouds(const scene::Scene& scene) {
     }
     if (!clouds_) {
         clouds_ = std::make_unique<Clouds>(graph_, shaders_);
+    }
+    if (const std::string sentence = shadows_left_out(shown); sentence != said_shadows_left_out_) {
+        said_shadows_left_out_ = sentence;
+        if (!sentence.empty()) {
+            log_warning("{}", sentence);
+        }
     }
     // Surfaces count their lamps so, and shadows name one of them.
     const std::optional<scene::Scene> parallel = with_far_lamps_parallel(scene);

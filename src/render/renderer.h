@@ -108,6 +108,7 @@ class Renderer {
     std::unique_ptr<OpaquePass> opaque_;     ///< none while no mesh is shown
     std::unique_ptr<Clouds> clouds_;         ///< none while no clouds are shown
     bool said_no_meshes_ = false, said_no_sky_ = false;
+    std::string said_shadows_left_out_;  ///< the last warning of that kind
 };
 
 }  // namespace bruma::render

@@ -72,4 +72,14 @@ Scene clouds_over_ground_scene() {
     return scene;
 }
 
+Scene clouds_shafts_scene() {
+    Scene scene = clouds_under_sky_scene();
+    scene.outdoors->sun = Sun{.elevation_deg = 16.0, .azimuth_deg = 6.0};
+    scene.outdoors->atmosphere.edit([](Atmosphere& air) { air.mie_scattering_per_m = 9e-5; });
+    std::get<Clouds>(scene.nodes.at("sky").content).layer.edit([](CloudLayer& layer) { layer.coverage = 0.42; });
+    scene.time.edit([](Timeline& timeline) { timeline.now_s = 600.0; });
+    scene.display = Display{.exposure_ev = 2.0, .tone_map = ToneMap::filmic};
+    return scene;
+}
+
 }  // namespace bruma::scene

@@ -13,6 +13,8 @@ Scene builtin_cloud_scene(CloudType type);
 
 /// Cumulus under a sky, over hills that lie in their shadows.
 Scene clouds_over_ground_scene();
+/// Beams of a low sun between cumulus, in hazy air.
+Scene clouds_shafts_scene();
 /// A layer of clouds over the camera, under a sky.
 Scene clouds_under_sky_scene();
 

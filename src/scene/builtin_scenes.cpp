@@ -201,6 +201,7 @@ constexpr std::array builtin_scenes{
     BuiltinScene{"sky-twilight", sky_twilight},
     BuiltinScene{"pot-outdoors", pot_outdoors},
     BuiltinScene{"clouds-under-sky", clouds_under_sky_scene},
+    BuiltinScene{"clouds-shafts", clouds_shafts_scene},
     BuiltinScene{"clouds-over-ground", clouds_over_ground_scene},
 };
 

@@ -23,16 +23,26 @@ inline std::span<const std::string_view> enum_words<CloudPowder>() {
     return words;
 }
 
+/// physical: light that is scattered more than once: a fit to random paths that leaks out of clouds as diffusing light
+/// does, or the octaves of Wrenninge 2013, which lose it in thick clouds and make it in thin ones.
+enum class MultipleScattering { diffusion, octaves };
+template <>
+inline std::span<const std::string_view> enum_words<MultipleScattering>() {
+    static constexpr std::array<std::string_view, 2> words{"diffusion", "octaves"};
+    return words;
+}
+
 /// How a cloud extinguishes and scatters light, for both models of lighting.
 struct CloudOptics {
     CloudLighting lighting = CloudLighting::physical;
     double extinction_per_m = 0.05;  ///< of density 1; real cumulus 0.02 to 0.12, cirrus 1e-4 to 1e-3
     double albedo = 1.0;             ///< share of the extinguished light that is scattered; droplets: above 0.9999
 
-    double forward_g = 0.8;          ///< physical: Henyey-Greenstein asymmetry of the forward lobe
-    double backward_g = -0.2;        ///< and of the other lobe
-    double forward_share = 0.5;      ///< weight of the forward lobe
-    std::int64_t octaves = 8;        ///< terms of the multiple-scattering approximation
+    double forward_g = 0.8;      ///< physical: Henyey-Greenstein asymmetry of the forward lobe
+    double backward_g = -0.2;    ///< and of the other lobe
+    double forward_share = 0.5;  ///< weight of the forward lobe
+    MultipleScattering multiple_scattering = MultipleScattering::diffusion;
+    std::int64_t octaves = 8;        ///< octaves: terms; 1 is single scattering
     double octave_strength = 0.5;    ///< a: factor of each term; at most octave_extinction, else energy is made
     double octave_extinction = 0.5;  ///< b: factor of the optical depth
     double octave_anisotropy = 0.5;  ///< c: factor of both asymmetries
@@ -75,15 +85,16 @@ void visit_fields(Self& optics, Visitor&& visit) {
     visit(number("forward_g", "physical: asymmetry of the forward lobe", -0.95, 0.95, 0.95), optics.forward_g);
     visit(number("backward_g", "physical: asymmetry of the other lobe", -0.95, 0.95, 0.95), optics.backward_g);
     visit(number("forward_share", "physical: weight of the forward lobe", 0.0, 1.0, 1.0), optics.forward_share);
-    visit(number("octaves", "physical: terms of the multiple-scattering approximation; 1 is single scattering", 1.0,
-                 16.0, 16.0),
-          optics.octaves);
-    visit(number("octave_strength", "physical: strength of each term to the one before; at most octave_extinction", 0.0,
+    visit(Field{.name = "multiple_scattering",
+                .sentence = "physical: a fit that diffuses through thick clouds, or octaves, which do not"},
+          optics.multiple_scattering);
+    visit(number("octaves", "octaves: how many; 1 is single scattering", 1.0, 16.0, 16.0), optics.octaves);
+    visit(number("octave_strength", "octaves: strength of each term to the one before; at most octave_extinction", 0.0,
                  1.0, 1.0),
           optics.octave_strength);
-    visit(number("octave_extinction", "physical: optical depth of each term to the one before", 0.0, 1.0, 1.0),
+    visit(number("octave_extinction", "octaves: optical depth of each term to the one before", 0.0, 1.0, 1.0),
           optics.octave_extinction);
-    visit(number("octave_anisotropy", "physical: asymmetry of each term to the one before", 0.0, 1.0, 1.0),
+    visit(number("octave_anisotropy", "octaves: asymmetry of each term to the one before", 0.0, 1.0, 1.0),
           optics.octave_anisotropy);
     visit(number("ambient", "factor of the light from sky and ground", 0.0, 100.0, 2.0), optics.ambient);
     visit(number("in_scatter", "artistic: asymmetry of the lobe towards the sun", 0.0, 0.95, 0.95), optics.in_scatter);

@@ -140,6 +140,7 @@ inline std::span<const std::string_view> enum_words<SkyModel>() {
 struct Sky {
     SkyModel model = SkyModel::atmosphere;
     bool multiple_scattering = true;
+    bool shafts = true;      ///< clouds before the sun leave the air behind them dark
     double turbidity = 2.0;  ///< preetham, look: 2 clear, 10 hazy
     double look_rayleigh = 1.0;
     double look_mie = 0.005;
@@ -153,6 +154,8 @@ void visit_fields(Self& sky, Visitor&& visit) {
     visit(Field{.name = "model", .sentence = "atmosphere: physical; preetham and look: for comparison"}, sky.model);
     visit(Field{.name = "multiple_scattering", .sentence = "atmosphere: light scattered more than once"},
           sky.multiple_scattering);
+    visit(Field{.name = "shafts", .sentence = "air in the shadows of clouds is dark, so that beams of light are seen"},
+          sky.shafts);
     visit(Field{.name = "turbidity",
                 .sentence = "preetham, look: 2 is clear, 10 hazy",
                 .min = 2.0,

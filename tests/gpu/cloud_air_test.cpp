@@ -16,6 +16,7 @@ class CloudAir : public KeptRenderer {
                              double vertical_angle_deg) {
         scene::Scene scene = scene::clouds_under_sky_scene();
         set_even_weather(scene, {255, 255, 255, 128});
+        scene.outdoors->sky.edit([](scene::Sky& sky) { sky.shafts = false; });
         clouds_in(scene).layer.edit([&](scene::CloudLayer& layer) {
             layer.bottom_m = bottom_m;
             layer.top_m = top_m;

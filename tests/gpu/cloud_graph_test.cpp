@@ -76,13 +76,33 @@ TEST_F(CloudGraph, UnderASkyTheAirIsLookedUpAndNotMadeAgain) {
     EXPECT_TRUE(compiled("AIR"));
     EXPECT_EQ(reruns(), Names{});
     scene.camera->edit([](scene::Camera& camera) { camera.eye_world.x += 10.0; });
-    EXPECT_EQ(reruns(), (Names{"march", "sky", "sky: cloud_march"}));
+    EXPECT_EQ(reruns(), (Names{"cloud_shafts", "march", "sky", "sky: cloud_march"}));
     scene.outdoors->sun.edit([](scene::Sun& sun) { sun.irradiance *= 2.0; });
-    EXPECT_EQ(reruns(), (Names{"march", "sky", "sky: cloud_march", "sky_light"}));
+    EXPECT_EQ(reruns(), (Names{"cloud_shafts", "march", "sky", "sky: cloud_march", "sky_light"}));
     scene.outdoors->atmosphere.edit([](scene::Atmosphere& air) { air.mie_scattering_per_m *= 2.0; });
     const Names names = reruns();
     EXPECT_EQ(std::count(names.begin(), names.end(), "sky: cloud_march"), 1);
     EXPECT_EQ(std::count(names.begin(), names.end(), "sky: cloud_sun"), 0) << "air is no cloud";
+}
+
+TEST_F(CloudGraph, ShaftsAreMadeForCloudsUnderASkyAlone) {
+    reruns();
+    scene.outdoors.emplace();
+    scene.outdoors->sky.edit([](scene::Sky& sky) { sky.shafts = false; });
+    reruns();
+    scene.nodes.at("sky").visible = false;
+    scene.outdoors->sky.edit([](scene::Sky& sky) { sky.shafts = true; });
+    reruns();
+    EXPECT_FALSE(compiled("SHAFTS")) << "indoors, switched off, without clouds";
+    EXPECT_FALSE(compiled("shafts"));
+    scene.nodes.at("sky").visible = true;
+    const Names names = reruns();
+    EXPECT_EQ(std::count(names.begin(), names.end(), "cloud_shafts"), 1);
+    EXPECT_TRUE(compiled("SHAFTS"));
+    EXPECT_EQ(reruns(), Names{});
+    scene.nodes.at("sky").visible = false;
+    reruns();
+    EXPECT_EQ(reason("cloud_shafts"), "not in the report") << "and taken away again";
 }
 
 }  // namespace

@@ -53,6 +53,19 @@ TEST_P(CloudPresetPicture, IsThatOfDoublePrecision) {
         report(std::string("bias ") + name_of(view), found.bias);
     }
 }
+TEST_F(CloudMarchPicture, OctavesAreThoseOfDoublePrecision) {
+    constexpr glm::ivec2 pixels(12, 7);
+    scene::Scene scene = cloud_scene(scene::CloudType::cumulus, CloudView::below);
+    clouds_in(scene).optics.edit([](scene::CloudOptics& optics) {
+        optics.multiple_scattering = scene::MultipleScattering::octaves;
+        optics.albedo = 0.9;
+    });
+    const Difference found = difference(draw(scene, pixels), exact_picture(scene, pixels, 24.0, 32));
+    EXPECT_LE(found.rmse, 0.02);
+    EXPECT_LE(std::abs(found.bias), 0.01);
+    report("RMSE", found.rmse);
+}
+
 INSTANTIATE_TEST_SUITE_P(Presets, CloudPresetPicture,
                          testing::Values(scene::CloudType::cumulus, scene::CloudType::stratocumulus,
                                          scene::CloudType::stratus),

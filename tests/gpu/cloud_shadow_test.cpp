@@ -2,6 +2,7 @@
 // Shadows of clouds on meshes.
 #include <numbers>
 
+#include "base/log.h"
 #include "cloud_scenes.h"
 #include "kept_renderer.h"
 #include "opaque_mesh.h"
@@ -61,11 +62,11 @@ class CloudShadow : public KeptRenderer {
         return middle(scene) / clear;
     }
     /// Optical depth from the middle of the plate to the sun.
-    static double exact_depth(scene::Scene& scene) {
+    static double exact_depth(scene::Scene& scene, const char* node = "plate") {
         const scene::CloudLayer& layer = *clouds_in(scene).layer;
         const reference::CloudField field = exact_field(scene);
         const glm::dvec3 to_sun = glm::normalize(scene.lights.at("sun")->direction_world);
-        const glm::dvec3 from = scene.nodes.at("plate").transform->translation;
+        const glm::dvec3 from = scene.nodes.at(node).transform->translation;
         const double begin = std::max(0.0, (layer.bottom_m - from.y) / to_sun.y);
         const double end = (layer.top_m - from.y) / to_sun.y;
         constexpr int samples = 4000;
@@ -132,6 +133,53 @@ TEST_F(CloudShadow, FallsBelowOnlyAndOnOneLampOnly) {
     const double both = middle(scene);
     const double expected = 0.7 * scene.lights.at("zenith")->intensity * std::numbers::inv_pi;
     EXPECT_NEAR(both / expected, 1.0, 0.02);
+}
+
+TEST_F(CloudShadow, FallsOnVolumesAsOnMeshes) {
+    const auto fill = homogeneous({8, 8, 8}, {1.0, 1.0, 1.0});
+    for (const auto lighting : {scene::VolumeLighting::shadow_rays, scene::VolumeLighting::light_volume}) {
+        scene::Scene scene = plate(0.0, 45.0);
+        scene.nodes.erase("plate");
+        scene.background = scene::Background{.top = glm::dvec3(0.0), .bottom = glm::dvec3(0.0)};
+        scene.nodes["volume"] = scene_with(fill, uniform_extinction(1.0)).nodes.at("volume");
+        volume_in(scene).optics.edit([&](scene::VolumeOptics& optics) { optics.lighting = lighting; });
+        make_even(scene, 1e-3);
+        const double shaded = middle(scene);
+        const double depth = exact_depth(scene, "volume");
+        scene.nodes.at("sky").visible = false;
+        const double lit = middle(scene);
+        EXPECT_GT(lit, 0.0);
+        // The same grid of light as for meshes.
+        EXPECT_NEAR(shaded / lit / std::exp(-depth), 1.0, 0.002 + 0.005 * depth) << int(lighting);
+        EXPECT_GT(depth, 0.3);
+        report("share of light on a volume", shaded / lit);
+    }
+}
+
+TEST_F(CloudShadow, SaysWhichLayersThrowNone) {
+    scene::Scene scene = plate(0.0, 45.0);
+    make_even(scene, 1e-4);
+    const scene::Node sky = scene.nodes.at("sky");
+    for (int n = 1; n < 9; ++n) {
+        scene.nodes["sky" + std::to_string(n)] = sky;
+    }
+    const std::vector<std::string> shown = scene::shown_clouds(scene);
+    EXPECT_EQ(shadows_left_out({shown.begin(), shown.begin() + 8}), "");
+    const std::string sentence = shadows_left_out(shown);
+    EXPECT_NE(sentence.find("nodes.sky8"), std::string::npos) << sentence;
+    const double of_all = found_share(scene);
+    const auto said = [&] {
+        const std::vector<LogLine> lines = logged_lines();
+        return std::count_if(lines.begin(), lines.end(),
+                             [&](const LogLine& line) { return line.text.find(sentence) != std::string::npos; });
+    };
+    EXPECT_EQ(said(), 1);
+    middle(scene);
+    EXPECT_EQ(said(), 1) << "once";
+    scene.nodes.at("sky8").visible = false;
+    EXPECT_EQ(found_share(scene), of_all) << "the ninth throws no shadow";
+    scene.nodes.at("sky7").visible = false;
+    EXPECT_GT(found_share(scene), of_all);
 }
 
 }  // namespace

@@ -1,11 +1,14 @@
 // Shelf: closed form (phase functions integrate to 1, constant media) and check values computed apart from this code.
 #include "reference/cloud_lighting.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <functional>
 
 #include "base/integer_hash.h"
+#include "cloud_scenes.h"
+#include "reference/cloud_monte_carlo.h"
 #include "reference/cloud_phase.h"
 
 namespace bruma::reference {
@@ -168,6 +171,55 @@ TEST(CloudLighting, AmbientOfAWhiteWorldIsOne) {
     light.ground_albedo = glm::dvec3(1.0);
     EXPECT_NEAR(ambient_source(light, {0, 1, 0}, 0.0, 0.0).r, 1.0, 1e-15);
     EXPECT_NEAR(ambient_source(light, {0, 1, 0}, 2.0, 1e9).r, 0.5 * std::exp(-2.0), 1e-15);
+}
+
+TEST(CloudLighting, DiffusedLightHasItsLimits) {
+    const scene::CloudOptics optics;
+    EXPECT_EQ(scattered_again(0.3, 0.7, {}, optics), 0.0) << "nothing scatters it again";
+    // What the sky sends and what the ground sends are shares of one.
+    CloudLight light;
+    light.sun_irradiance = [](double) { return glm::dvec3(0.0); };
+    light.set_uniform_sky(glm::dvec3(1.0));
+    light.ground_albedo = glm::dvec3(1.0);
+    EXPECT_NEAR(diffused_ambient_source(light, {0, 1, 0}, {}, optics).r, 1.0, 1e-15) << "a white world";
+    EXPECT_NEAR(share_from_above({.up = 3.0, .down = 7.0}, optics) + share_from_above({.up = 7.0, .down = 3.0}, optics),
+                1.0, 1e-15)
+        << "as much from above here as from below there";
+    // Deep in a thick layer light falls as 1 / depth, and not as exp(-depth).
+    const auto deep = [&](double depth) {
+        return scattered_again(0.0, 0.7, {.sun = depth, .up = depth, .down = 0.0}, optics);
+    };
+    EXPECT_NEAR(deep(4000.0) / deep(2000.0), 0.5, 0.01);
+    scene::CloudOptics black = optics;
+    black.albedo = 0.0;
+    EXPECT_EQ(scattered_again(0.3, 0.7, {5.0, 5.0, 5.0}, black), 0.0);
+    black.albedo = 0.9;
+    EXPECT_LT(scattered_again(0.3, 0.7, {5.0, 5.0, 5.0}, black),
+              0.6 * scattered_again(0.3, 0.7, {5.0, 5.0, 5.0}, optics));
+}
+
+// Shelf: random paths. Slabs, which no preset is and nothing was fitted to.
+TEST(CloudLighting, DiffusedLightOfSlabsIsNearThatOfRandomPaths) {
+    for (const double depth : {0.3, 3.0, 12.0}) {
+        for (const double climb : {0.35, 0.9}) {
+            CloudMedium medium = homogeneous_layer(1000.0, 1300.0, depth / 300.0);
+            medium.optics = scene::CloudOptics{.extinction_per_m = depth / 300.0};
+            const std::vector<CloudMedium> media{medium};
+            CloudLight light;
+            light.to_sun_world = {std::sqrt(1.0 - climb * climb), climb, 0.0};
+            light.set_uniform_sky(glm::dvec3(0.08));
+            light.ground_albedo = glm::dvec3(0.3);
+            for (const double side : {1.0, -1.0}) {
+                const auto ray = ray_along({0, side > 0.0 ? 0.0 : 2000.0, 0}, {0.3, side, 0.6});
+                const double modelled = march_once(media, light, ray, 4.0, 16).radiance.g;
+                const auto paths = trace_paths(media, light, ray, {.samples = 3000});
+                EXPECT_NEAR(modelled / paths.radiance.g, 1.0, 0.3 + 4.0 * paths.standard_error.g / paths.radiance.g)
+                    << "depth " << depth << ", sun " << climb << ", from " << (side > 0.0 ? "below" : "above");
+                RecordProperty(fmt::format("ratio_{}_{}_{}", depth, climb, side),
+                               fmt::format("{:.3f}", modelled / paths.radiance.g));
+            }
+        }
+    }
 }
 
 }  // namespace

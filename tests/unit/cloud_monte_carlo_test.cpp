@@ -99,6 +99,7 @@ TEST(CloudMonteCarlo, GroundLightOfALambertPlane) {
 TEST(CloudMonteCarlo, SingleScatteringAgreesWithTheMarchOnRealClouds) {
     const glm::dvec3 eye(0.0, 2.0, 0.0);
     std::vector<CloudMedium> media{preset_medium(scene::CloudType::stratocumulus, eye)};
+    media[0].optics.multiple_scattering = scene::MultipleScattering::octaves;
     media[0].optics.octaves = 1;
     media[0].optics.ambient = 0.0;
     CloudLight light;

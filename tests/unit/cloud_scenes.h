@@ -17,6 +17,7 @@ CloudMedium flat_layer(double bottom_m, double top_m, double extinction_per_m, c
     layer.box_size_m = {1e6, 1e6};
     scene::CloudOptics optics;
     optics.extinction_per_m = extinction_per_m;
+    optics.multiple_scattering = scene::MultipleScattering::octaves;
     optics.octaves = 1;
     optics.ambient = 0.0;
     return {CloudGeometry(layer, glm::dvec3(0.0), 6360e3),

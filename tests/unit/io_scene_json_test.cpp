@@ -28,7 +28,7 @@ scene::Scene rich_scene() {
     scene.rendering =
         scene::RenderSettings{scene::Classification::post, false, 0.7, false, false, 0.01, scene::Jitter::blue_noise};
     scene.environment = scene::Environment{{0.2, 0.3, 0.4}};
-    scene.outdoors = scene::Outdoors{scene::Sky{scene::SkyModel::preetham, false, 3.3, 0.5, 0.01, 0.7},
+    scene.outdoors = scene::Outdoors{scene::Sky{scene::SkyModel::preetham, false, false, 3.3, 0.5, 0.01, 0.7},
                                      scene::Sun{.placement = scene::SunPlacement::place_and_time,
                                                 .elevation_deg = -1.0 / 3.0,
                                                 .azimuth_deg = 200.1,

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/panels/fields_panel.h"
+#include "render/cloud_shadows.h"
 
 namespace bruma::app {
 namespace {
@@ -42,6 +43,9 @@ void show_presets(PanelContext& context, scene::Clouds& clouds) {
 }  // namespace
 
 void show_clouds(PanelContext& context, scene::Clouds& clouds) {
+    if (const std::string sentence = render::shadows_left_out(scene::shown_clouds(context.scene)); !sentence.empty()) {
+        ImGui::TextWrapped("%s", sentence.c_str());
+    }
     show_presets(context, clouds);
     show_part(context, "Layer", clouds.layer, true);
     show_part(context, "Weather", clouds.weather, false);

@@ -67,17 +67,18 @@ MarchPass::MarchPass(FrameGraph& graph, gl::ShaderLibrary& shaders) : graph_(gra
 
 void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights,
                        Handle<OpaquePicture> opaque, const std::vector<Handle<CloudPicture>>& clouds, const View& view,
-                       double step_world, Handle<SkyPicture> sky) {
+                       double step_world, Handle<SkyPicture> sky, Handle<CloudShafts> shafts,
+                       const CloudShadows& shadows) {
     graph_.set_source(camera_, **scene.camera, scene.camera->revision());
     graph_.set_source(background_, *scene.background, scene.background.revision());
     graph_.set_source(shader_revision_, 0, shaders_.revision());
 
     const double skipped = skipped_distance(**scene.camera, scene::world_bounds(scene));
-    Parameters parameters{view, *scene.rendering, step_world * view.step_scale, skipped, opaque, clouds, {}, {}, false,
-                          sky};
+    Parameters parameters{
+        view, *scene.rendering, step_world * view.step_scale, skipped, opaque, clouds, {}, {}, false, sky, shafts, {}};
     const std::vector<std::string> shining = order_lights(scene);
     std::vector<int> reads{camera_.index, background_.index, shader_revision_.index};
-    for (const int behind : {opaque.index, sky.index}) {
+    for (const int behind : {opaque.index, sky.index, shafts.index}) {
         if (behind >= 0) {
             reads.push_back(behind);
         }
@@ -126,6 +127,9 @@ void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const 
         for (const std::string& light : shining) {
             parameters.lights.push_back(*scene.lights.at(light));
         }
+        parameters.shadows = shadows;
+        parameters.shadows.lamp = cloud_lamp(scene);  // among the lamps as they are counted here
+        parameters.shadows.add_reads(reads);
     }
     for (const PassId pass : {march_, count_}) {
         graph_.set_reads(pass, reads);
@@ -146,6 +150,9 @@ gl::Program& MarchPass::program(const PassAccess& access, const Parameters& para
     if (!parameters.clouds.empty()) {
         defines["CLOUDS"] = std::to_string(parameters.clouds.size());
     }
+    if (parameters.shafts.index >= 0) {
+        defines["SHAFTS"] = "";
+    }
     if (parameters.volumes.empty()) {
         return shaders_.get("background.frag", defines);
     }
@@ -153,6 +160,7 @@ gl::Program& MarchPass::program(const PassAccess& access, const Parameters& para
     if (parameters.lit) {
         defines["LIT"] = "";
         count_lights(defines, parameters.lights);
+        parameters.shadows.add_defines(defines);
         std::int64_t near_steps = 0;
         std::set<std::pair<bool, bool>> shadings;  // two-sided, Blinn's highlight
         for (const VolumeInput& input : parameters.volumes) {
@@ -346,6 +354,14 @@ void MarchPass::draw(const PassAccess& access, const Parameters& parameters, boo
         shader.set_at("cloud_distance", int(n), "", int(unit++));
     }
     shader.set("metres_per_step", float(h));
+    if (parameters.shafts.index >= 0) {
+        access.read(parameters.shafts).set(shader, access.read(camera_), pixels, unit);
+        shader.set("half_view", glm::vec2(half_view(camera, pixels, h)));
+        if (parameters.opaque.index >= 0) {
+            shader.set("shafts_surface",
+                       glm::vec2(access.read(parameters.opaque).unit_world, parameters.skipped_distance));
+        }
+    }
     if (!parameters.volumes.empty()) {
         shader.set("orthographic", camera.projection == scene::Projection::orthographic ? 1 : 0);
         shader.set("half_view", glm::vec2(half_view(camera, pixels, h)));
@@ -372,6 +388,8 @@ void MarchPass::draw(const PassAccess& access, const Parameters& parameters, boo
             const scene::CameraFrame frame = scene::camera_frame(camera);
             shader.set("world_from_camera", glm::mat3(glm::dmat3(frame.right_world, frame.up_world, frame.back_world)));
             set_lights(shader, parameters.lights, camera, h);
+            parameters.shadows.set(access, shader, camera.eye_world, h, unit);
+            unit += GLuint(parameters.shadows.layers.size());
         }
         for (std::size_t n = 0; n < parameters.volumes.size(); ++n) {
             bind_volume(access, shader, parameters, int(n), unit, camera);

@@ -8,6 +8,7 @@
 #include "gl/full_screen.h"
 #include "gl/shader_library.h"
 #include "render/passes/cloud_march_pass.h"
+#include "render/passes/cloud_shafts_pass.h"
 #include "render/passes/light_passes.h"
 #include "render/passes/opaque_pass.h"
 #include "render/passes/sky_passes.h"
@@ -46,10 +47,11 @@ class MarchPass {
     using Lights = std::map<std::string, std::unique_ptr<LightPasses>>;
     /// Hands the graph this frame's sources and parameters. `lights`: of the volumes that scatter.
     /// `opaque`: the surfaces of all meshes; an empty handle where there are none. `clouds`: one picture for each
-    /// layer. `sky`: surfaces and what is behind them, in place of the background; empty indoors.
+    /// layer. `sky`: surfaces and what is behind them, in place of the background; empty indoors. `shafts`: what the
+    /// air before them misses, if anything. `shadows`: of clouds, on volumes.
     void update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights, Handle<OpaquePicture> opaque,
                 const std::vector<Handle<CloudPicture>>& clouds, const View& view, double step_world,
-                Handle<SkyPicture> sky = {});
+                Handle<SkyPicture> sky = {}, Handle<CloudShafts> shafts = {}, const CloudShadows& shadows = {});
 
     Handle<Picture> picture;
     Handle<SampleCounts> counts;
@@ -83,6 +85,8 @@ class MarchPass {
         std::vector<scene::Light> lights;
         bool lit = false;  ///< lights matter
         Handle<SkyPicture> sky;
+        Handle<CloudShafts> shafts;
+        CloudShadows shadows;  ///< none where no volume is lit
         bool operator==(const Parameters&) const = default;
     };
 

@@ -1,0 +1,116 @@
+#include "render/passes/cloud_shafts_pass.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "render/passes/cloud_sky_pass.h"
+#include "render/view_rays.h"
+
+namespace bruma::render {
+namespace {
+
+// Four pixels at 42 degrees over 288 are as wide as the grid of light's columns 10 km away; large pictures take no more
+// rays than these. Steps begin at 86 m and are as long as most clouds, 1 km, at 11 km.
+constexpr int smallest_cell = 4, most_cells = 256, slices = 64;
+constexpr double near_m = 1000.0, sample_m = 500.0;
+
+int cell_of(glm::ivec2 pixels) {
+    return std::max(smallest_cell, (std::max(pixels.x, pixels.y) + most_cells - 1) / most_cells);
+}
+
+}  // namespace
+
+void CloudShafts::set(gl::Program& program, const scene::Camera& camera, glm::ivec2 pixels, GLuint& unit) const {
+    const scene::CameraFrame frame = scene::camera_frame(camera);
+    missing.bind(unit);
+    program.set("shafts_missing", int(unit++));
+    program.set("shafts.first", float(first_m));
+    program.set("shafts.near", float(near_m));
+    program.set("shafts.growth", float(growth));
+    program.set("shafts_sun", glm::vec3(sun_irradiance));
+    program.set("shafts_from_pixels", glm::vec2(1.0 / (glm::dvec2(missing.size()) * double(cell))));
+    program.set("shafts_background", sky_has_air ? 1.0F : 0.0F);
+    program.set("shafts_eye", glm::vec4(frame.right_world.y, frame.up_world.y, frame.back_world.y,
+                                        std::max(1.0, camera.eye_world.y)));
+    program.set("shafts_planet_radius", float(planet_radius_m));
+    program.set("orthographic", camera.projection == scene::Projection::orthographic ? 1 : 0);
+    program.set("pixels", glm::vec2(pixels));
+}
+
+CloudShaftsPass::CloudShaftsPass(FrameGraph& graph, gl::ShaderLibrary& shaders) : graph_(graph), shaders_(shaders) {
+    camera_ = graph.add_source<scene::Camera>("camera");
+    shader_revision_ = graph.add_source<int>("shaders");
+    shafts = graph.add_product<CloudShafts>("light missing in air");
+    pass_ = graph.add_pass({"cloud_shafts", "light that air misses in the shadows of clouds", {}, {shafts.index}, {}});
+}
+
+void CloudShaftsPass::remove() {
+    graph_.remove_pass(pass_);
+    graph_.remove_source(camera_.index);
+    graph_.remove_source(shader_revision_.index);
+}
+
+void CloudShaftsPass::update(const scene::Scene& scene, const CloudShadows& shadows, const AirTables& air,
+                             double reach_m, glm::ivec2 pixels) {
+    graph_.set_source(camera_, **scene.camera, scene.camera->revision());
+    graph_.set_source(shader_revision_, 0, shaders_.revision());
+    std::vector<int> reads{camera_.index, shader_revision_.index, air.transmittance.index};
+    shadows.add_reads(reads);
+    AirTables once = air;  // light that is scattered again comes from beside the shadows, too
+    once.multiple_scattering = {};
+    const Parameters parameters{pixels,  shadows,
+                                once,    sun_direction_world(scene),
+                                reach_m, scene.outdoors->sky->model == scene::SkyModel::atmosphere};
+    graph_.set_reads(pass_, reads);
+    graph_.set_parameters(pass_, parameters);
+    graph_.set_execute(pass_, [this, parameters](const PassAccess& access) { draw(access, parameters); });
+}
+
+void CloudShaftsPass::draw(const PassAccess& access, const Parameters& parameters) {
+    const scene::Camera& camera = access.read(camera_);
+    const scene::CameraFrame frame = scene::camera_frame(camera);
+    double top = 0.0;
+    for (const CloudShadows::Layer& layer : parameters.shadows.layers) {
+        top = std::max(top, access.read(layer.depths).band.high_m);
+    }
+    CloudShafts& out = access.write(shafts);
+    out.first_m = camera.projection == scene::Projection::orthographic ? 0.0 : std::max(0.0, camera.eye_world.y - top);
+    out.near_m = near_m;
+    out.growth = std::log1p(std::max(parameters.reach_m - out.first_m, near_m) / near_m);
+    out.cell = cell_of(parameters.pixels);
+    out.sun_irradiance = parameters.air.sun_irradiance;
+    out.planet_radius_m = parameters.air.atmosphere.planet_radius_m;
+    out.sky_has_air = parameters.sky_has_air;
+    const glm::ivec3 size((parameters.pixels + out.cell - 1) / out.cell, slices);
+    if (!out.missing || out.missing.size() != size) {
+        out.missing = gl::Texture::make_3d("light missing in air", GL_RGBA16F, size);
+    }
+    gl::Defines defines;
+    parameters.shadows.add_defines(defines);
+    gl::Program& program = shaders_.get("cloud_shafts.comp", defines);
+    program.set("pixels", glm::vec2(parameters.pixels));
+    program.set("orthographic", camera.projection == scene::Projection::orthographic ? 1 : 0);
+    program.set("half_view", glm::vec2(half_view(camera, parameters.pixels, 1.0)));
+    program.set("world_from_camera", glm::mat3(glm::dmat3(frame.right_world, frame.up_world, frame.back_world)));
+    program.set("eye_altitude", float(std::max(1.0, camera.eye_world.y)));
+    program.set("to_sun", glm::vec3(parameters.to_sun_world));
+    program.set("cell", float(out.cell));
+    program.set("top", float(top));
+    program.set("sample_m", float(sample_m));
+    program.set("shafts.first", float(out.first_m));
+    program.set("shafts.near", float(out.near_m));
+    program.set("shafts.growth", float(out.growth));
+    GLuint unit = 0;
+    set_air(access, program, parameters.air, unit);
+    parameters.shadows.set(access, program, camera.eye_world, 1.0, unit);
+    program.use();
+    glBindImageTexture(0, out.missing.name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA16F);
+    glDispatchCompute(GLuint((size.x + 7) / 8), GLuint((size.y + 7) / 8), 1);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+    access.note(fmt::format("{} x {} rays of {} steps", size.x, size.y, size.z - 1));
+}
+
+}  // namespace bruma::render

@@ -1,0 +1,126 @@
+// Shelf: independent reference. Air in the shadows of clouds: what pictures lose by them against the same integral in
+// double precision, with the straight optical depth towards the sun at every step of the ray.
+#include <algorithm>
+
+#include "cloud_scenes.h"
+#include "kept_renderer.h"
+#include "opaque_mesh.h"
+#include "reference/render_clouds.h"
+
+namespace bruma::render {
+namespace {
+
+class CloudShafts : public KeptRenderer {
+  protected:
+    struct Ray {
+        double eye_m, view_elevation_deg, view_azimuth_deg, sun_elevation_deg;
+    };
+    /// A picture of one cell of the shafts' grid, so narrow that it is one ray.
+    static scene::Scene scene_of(scene::CloudType type, const Ray& ray) {
+        scene::Scene scene = scene::clouds_under_sky_scene();
+        clouds_in(scene) = scene::preset_clouds(type);
+        scene::make_missing_map(clouds_in(scene));
+        scene.outdoors->sun.edit([&](scene::Sun& sun) { sun.elevation_deg = ray.sun_elevation_deg; });
+        scene.camera->edit([&](scene::Camera& camera) {
+            const double elevation = glm::radians(ray.view_elevation_deg), azimuth = glm::radians(ray.view_azimuth_deg);
+            camera.eye_world = {0.0, ray.eye_m, 0.0};
+            camera.target_world =
+                camera.eye_world + glm::dvec3(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+                                              -std::cos(elevation) * std::cos(azimuth));
+            camera.vertical_angle_deg = 0.05;
+        });
+        return scene;
+    }
+    /// What the picture loses when the air lies in shadows.
+    glm::dvec3 found(scene::Scene scene) {
+        glm::dvec3 lost(0.0);
+        for (const bool shafts : {false, true}) {
+            scene.outdoors->sky.edit([&](scene::Sky& sky) { sky.shafts = shafts; });
+            renderer->render(scene, {pixels, 1.0});
+            const Image image = renderer->read_picture();
+            EXPECT_TRUE(all_finite(image));
+            const float* const rgba = image.pixel(2, 2);
+            lost += (shafts ? -1.0 : 1.0) * glm::dvec3(rgba[0], rgba[1], rgba[2]);
+        }
+        return lost;
+    }
+    struct Exact {
+        glm::dvec3 lost{0.0};
+        glm::dvec3 lit{0.0};  ///< radiance of all the air, without clouds
+    };
+    /// For a ray that ends at `end_m`: before the clouds, at their mean distance, and behind them.
+    Exact exact(scene::Scene& scene, double end_m) const {
+        const scene::Camera& camera = **scene.camera;
+        const scene::Atmosphere& atmosphere = *scene.outdoors->atmosphere;
+        const std::vector<reference::CloudMedium> media{reference::medium_of(
+            exact_field(scene),
+            reference::CloudGeometry(*clouds_in(scene).layer, camera.eye_world, atmosphere.planet_radius_m),
+            *clouds_in(scene).optics)};
+        const reference::CloudSky sky(scene, {});
+        const scene::Ray ray = scene::camera_ray(camera, 2.5, 2.5, pixels.x, pixels.y);
+        const double longest = clouds_in(scene).march->reach_m;
+        const auto lit = sky.air_along(ray, longest), shaded = sky.air_along(ray, longest, media, 96);
+        const auto missing = [&](double distance) { return lit(distance).radiance - shaded(distance).radiance; };
+        const double end = std::min(std::min(end_m, longest),
+                                    media.front().geometry.ground_distance(ray.origin_world, ray.direction_world));
+        // By what the picture holds of the clouds themselves, which other tests judge.
+        const CloudPicture& clouds = *renderer->cloud_pictures().front();
+        std::vector<float> radiance(std::size_t(4) * pixels.x * pixels.y), distance(radiance.size() / 4);
+        clouds.radiance.download({GL_RGBA, GL_FLOAT}, radiance.size() * sizeof(float), radiance.data());
+        clouds.distance.download({GL_RED, GL_FLOAT}, distance.size() * sizeof(float), distance.data());
+        const std::size_t middle = std::size_t(pixels.y - 1 - 2) * pixels.x + 2;
+        const double passed = radiance[4 * middle + 3];
+        return {(1.0 - passed) * missing(distance[middle]) + passed * missing(end), lit(end).radiance};
+    }
+    static double largest(const glm::dvec3& v) { return std::max({v.r, v.g, v.b}); }
+
+    static constexpr glm::ivec2 pixels{4, 4};
+};
+
+TEST_F(CloudShafts, LoseWhatTheDoublePrecisionIntegralSays) {
+    const std::pair<scene::CloudType, Ray> cases[] = {
+        {scene::CloudType::cumulus, {2.0, 12.0, 0.0, 38.0}},
+        {scene::CloudType::cumulus, {2.0, 4.0, 0.0, 10.0}},
+        {scene::CloudType::cumulus, {2.0, 25.0, -25.0, 10.0}},
+        {scene::CloudType::cumulus, {2.0, 1.0, 120.0, 60.0}},
+        {scene::CloudType::cumulus, {2500.0, -4.0, 30.0, 38.0}},
+        {scene::CloudType::cumulus, {2500.0, 3.0, -60.0, 8.0}},
+        {scene::CloudType::cumulus, {6000.0, -12.0, 0.0, 38.0}},
+        {scene::CloudType::cumulus, {20e3, -30.0, 40.0, 20.0}},
+        {scene::CloudType::stratocumulus, {2.0, 8.0, 0.0, 20.0}},
+        {scene::CloudType::stratus, {2.0, 6.0, 10.0, 6.0}},
+    };
+    double squares = 0.0, most_lost = 0.0;
+    for (const auto& [type, ray] : cases) {
+        scene::Scene scene = scene_of(type, ray);
+        const glm::dvec3 lost = found(scene);
+        const Exact truth = exact(scene, 1e30);
+        const double apart = largest(glm::abs(lost - truth.lost)) / largest(truth.lit);
+        // Of the light of the lit air. Columns of 104 m blur the rims, steps at 100 km are as long as clouds.
+        EXPECT_LE(apart, 0.03) << ray.eye_m << " m, view " << ray.view_elevation_deg << " deg, sun "
+                               << ray.sun_elevation_deg;
+        squares += apart * apart / double(std::size(cases));
+        most_lost = std::max(most_lost, largest(truth.lost) / largest(truth.lit));
+        report("lost share of the air's light", largest(truth.lost) / largest(truth.lit));
+        report("difference from double precision", apart);
+    }
+    EXPECT_LE(std::sqrt(squares), 0.015);
+    EXPECT_GE(most_lost, 0.2) << "there is something to lose";
+}
+
+TEST_F(CloudShafts, EndAtSurfaces) {
+    // A plate across the ray 6 km away: only the air before it can be dark.
+    const Ray ray{2.0, 8.0, 0.0, 12.0};
+    scene::Scene scene = scene_of(scene::CloudType::cumulus, ray);
+    const glm::dvec3 ahead = (*scene.camera)->target_world - (*scene.camera)->eye_world;
+    add_mesh(scene, "plate", quad_mesh(2000.0F), glm::dvec3(0.0),
+             {.translation = (*scene.camera)->eye_world + 6000.0 * ahead});
+    const glm::dvec3 lost = found(scene);
+    const Exact truth = exact(scene, 6000.0);
+    EXPECT_LE(largest(glm::abs(lost - truth.lost)), 0.03 * largest(truth.lit));
+    scene.nodes.at("plate").visible = false;
+    EXPECT_LT(largest(lost), 0.5 * largest(found(scene))) << "less than without it";
+}
+
+}  // namespace
+}  // namespace bruma::render
