@@ -183,7 +183,13 @@ void main()
 #ifdef TRANSLUCENT
     float passing = fresnel_transmittance(facing_of_seen(facing_eye, direction), medium.eta);
     vec3 picture = textured != 0 ? texture(diffuse_texture, coordinate).xyz : vec3(1.0);
-    vec3 within = light_from_within(passing) + passing * diffuse_reflectance * around;
+    vec3 from_lamps = light_from_within(passing);
+#if defined(CLOUD_SHADOWS) && DIRECTIONAL_LIGHTS == 1 && POINT_LIGHTS == 0
+    // Maps hold what all lamps send in. Of one alone, the shadow where light leaves is that where it entered: clouds are
+    // hundreds of metres wide.
+    from_lamps *= light_through_clouds(0, ray_origin_steps + ray_distance * ray_direction_world);
+#endif
+    vec3 within = from_lamps + passing * diffuse_reflectance * around;
     vec3 shine = specular * mirrored + (1.0 - passing) * around;
     if (see_through != 0) {
         // Not bent at the surface; what it is bent to looks the same where the surroundings do on all sides.

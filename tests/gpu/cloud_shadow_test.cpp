@@ -6,6 +6,7 @@
 #include "cloud_scenes.h"
 #include "kept_renderer.h"
 #include "opaque_mesh.h"
+#include "translucent.h"
 
 namespace bruma::render {
 namespace {
@@ -154,6 +155,26 @@ TEST_F(CloudShadow, FallsOnVolumesAsOnMeshes) {
         EXPECT_GT(depth, 0.3);
         report("share of light on a volume", shaded / lit);
     }
+}
+
+TEST_F(CloudShadow, FallsInsideTranslucentMeshesOfOneLamp) {
+    scene::Scene scene = plate(0.0, 45.0);
+    scene.nodes.erase("plate");
+    scene::SubsurfaceMedium cream;
+    add_translucent(scene, "ball", sphere_mesh(12), cream);
+    scene.nodes.at("ball").transform.edit([](scene::Transform& t) { t.scale = glm::dvec3(0.01); });
+    scene.camera->edit([](scene::Camera& camera) {
+        camera.eye_world = {0.0, 0.05, 0.0};
+        camera.target_world = {0.0, 0.0, 1e-4};
+        camera.near_distance = 1e-3;
+    });
+    make_even(scene, 1e-3);
+    const double shaded = middle(scene);
+    const double depth = exact_depth(scene, "ball");
+    scene.nodes.at("sky").visible = false;
+    const double lit = middle(scene);
+    EXPECT_GT(lit, 0.0);
+    EXPECT_NEAR(shaded / lit / std::exp(-depth), 1.0, 0.002 + 0.005 * depth) << "the same grid of light as for plates";
 }
 
 TEST_F(CloudShadow, SaysWhichLayersThrowNone) {
