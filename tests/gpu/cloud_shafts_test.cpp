@@ -59,7 +59,7 @@ class CloudShafts : public KeptRenderer {
         const reference::CloudSky sky(scene, {});
         const scene::Ray ray = scene::camera_ray(camera, 2.5, 2.5, pixels.x, pixels.y);
         const double longest = clouds_in(scene).march->reach_m;
-        const auto lit = sky.air_along(ray, longest), shaded = sky.air_along(ray, longest, media, 96);
+        const auto lit = sky.air_along(ray, longest), shaded = sky.air_along(ray, longest, media, 48);
         const auto missing = [&](double distance) { return lit(distance).radiance - shaded(distance).radiance; };
         const double end = std::min(std::min(end_m, longest),
                                     media.front().geometry.ground_distance(ray.origin_world, ray.direction_world));
@@ -82,13 +82,8 @@ TEST_F(CloudShafts, LoseWhatTheDoublePrecisionIntegralSays) {
         {scene::CloudType::cumulus, {2.0, 12.0, 0.0, 38.0}},
         {scene::CloudType::cumulus, {2.0, 4.0, 0.0, 10.0}},
         {scene::CloudType::cumulus, {2.0, 25.0, -25.0, 10.0}},
-        {scene::CloudType::cumulus, {2.0, 1.0, 120.0, 60.0}},
-        {scene::CloudType::cumulus, {2500.0, -4.0, 30.0, 38.0}},
-        {scene::CloudType::cumulus, {2500.0, 3.0, -60.0, 8.0}},
-        {scene::CloudType::cumulus, {6000.0, -12.0, 0.0, 38.0}},
-        {scene::CloudType::cumulus, {20e3, -30.0, 40.0, 20.0}},
+        {scene::CloudType::cumulus, {20e3, -30.0, 40.0, 10.0}},
         {scene::CloudType::stratocumulus, {2.0, 8.0, 0.0, 20.0}},
-        {scene::CloudType::stratus, {2.0, 6.0, 10.0, 6.0}},
     };
     double squares = 0.0, most_lost = 0.0;
     for (const auto& [type, ray] : cases) {
@@ -97,14 +92,14 @@ TEST_F(CloudShafts, LoseWhatTheDoublePrecisionIntegralSays) {
         const Exact truth = exact(scene, 1e30);
         const double apart = largest(glm::abs(lost - truth.lost)) / largest(truth.lit);
         // Of the light of the lit air. Columns of 104 m blur the rims, steps at 100 km are as long as clouds.
-        EXPECT_LE(apart, 0.03) << ray.eye_m << " m, view " << ray.view_elevation_deg << " deg, sun "
-                               << ray.sun_elevation_deg;
+        EXPECT_LE(apart, 0.012) << ray.eye_m << " m, view " << ray.view_elevation_deg << " deg, sun "
+                                << ray.sun_elevation_deg;
         squares += apart * apart / double(std::size(cases));
         most_lost = std::max(most_lost, largest(truth.lost) / largest(truth.lit));
         report("lost share of the air's light", largest(truth.lost) / largest(truth.lit));
         report("difference from double precision", apart);
     }
-    EXPECT_LE(std::sqrt(squares), 0.015);
+    EXPECT_LE(std::sqrt(squares), 0.006);
     EXPECT_GE(most_lost, 0.2) << "there is something to lose";
 }
 
@@ -117,7 +112,7 @@ TEST_F(CloudShafts, EndAtSurfaces) {
              {.translation = (*scene.camera)->eye_world + 6000.0 * ahead});
     const glm::dvec3 lost = found(scene);
     const Exact truth = exact(scene, 6000.0);
-    EXPECT_LE(largest(glm::abs(lost - truth.lost)), 0.03 * largest(truth.lit));
+    EXPECT_LE(largest(glm::abs(lost - truth.lost)), 0.012 * largest(truth.lit));
     scene.nodes.at("plate").visible = false;
     EXPECT_LT(largest(lost), 0.5 * largest(found(scene))) << "less than without it";
 }

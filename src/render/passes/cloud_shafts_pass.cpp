@@ -15,7 +15,7 @@ namespace {
 // Four pixels at 42 degrees over 288 are as wide as the grid of light's columns 10 km away; large pictures take no more
 // rays than these. Steps begin at 86 m and are as long as most clouds, 1 km, at 11 km.
 constexpr int smallest_cell = 4, most_cells = 256, slices = 64;
-constexpr double near_m = 1000.0, sample_m = 500.0;
+constexpr double near_m = 1000.0, sample_m = 1000.0;
 
 int cell_of(glm::ivec2 pixels) {
     return std::max(smallest_cell, (std::max(pixels.x, pixels.y) + most_cells - 1) / most_cells);
