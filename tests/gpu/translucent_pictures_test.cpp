@@ -102,6 +102,7 @@ TEST_F(LongTranslucentPictures, HaveNoHolesNoFirefliesAndNoCracks) {
             scene::Scene scene;
             scene::Mesh& mesh = add_translucent(scene, "body", triangles_of(body.file, body.mm_per_unit), {});
             scene.nodes.at("body").transform = scene::Transform{.rotation_deg = body.rotation_deg};
+            scene.rendering.edit([](scene::RenderSettings& settings) { settings.samples = 4; });
             mesh.subsurface.edit([](scene::SubsurfaceSettings& settings) {
                 settings = {};
                 settings.map_size = 128;

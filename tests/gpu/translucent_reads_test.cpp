@@ -11,6 +11,7 @@ class TranslucentReads : public KeptRenderer {
     void SetUp() override {
         KeptRenderer::SetUp();
         add_translucent(scene, "body", builtin_triangles("mesh-knot"), scene::medium_of(scene::Material::skin1));
+        scene.rendering.edit([](scene::RenderSettings& settings) { settings.samples = 4; });
         scene.lights["key"] = scene::Light{.direction_world = {0.3, 1.0, 0.4}};
         look_against({0.2, 0.3, 1.0});
     }
@@ -45,6 +46,7 @@ TEST_F(TranslucentReads, ThePictureIsThatOfWholeMapsBitForBit) {
             camera.projection = n % 2 == 0 ? scene::Projection::perspective : scene::Projection::orthographic;
             camera.view_height *= n == 3 ? 0.3 : 1.0;
         });
+        scene.rendering.edit([&](scene::RenderSettings& settings) { settings.samples = n == 1 ? 1 : 4; });
         EXPECT_EQ(look(3).passes, 3);
         EXPECT_TRUE(same_bits(renderer->read_picture(), beside_whole_maps(3))) << "view " << n;
     }
