@@ -178,7 +178,9 @@ gl::Program& OpaquePass::prepared_program(const PassAccess& access, const Parame
                                           const gl::Defines& defines) {
     gl::Program& program = shaders_.get("mesh.frag", defines);
     view.set(program, parameters.pixels);
-    set_sample_places(program, samples_of_driver(parameters.samples));
+    if (defines.contains("SAMPLES")) {
+        set_sample_places(program, samples_of_driver(parameters.samples));
+    }
     program.set("world_from_camera",
                 glm::mat3(glm::dmat3(view.frame.right_world, view.frame.up_world, view.frame.back_world)));
     program.set("ambient", glm::vec3(parameters.environment.radiance));
