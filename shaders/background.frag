@@ -1,9 +1,7 @@
 #version 450 core
 // The picture where no volume stands in the scene. OPAQUE: there are surfaces before the background, SKY: a picture of
 // both stands ready, CLOUDS, SHAFTS: see include/clouds_over.glsl.
-#ifdef OPAQUE
 #include "include/opaque.glsl"
-#endif
 #ifdef SHAFTS
 #include "include/view_ray.glsl"
 #else
@@ -21,6 +19,11 @@ uniform vec3 background_bottom;
 
 void main()
 {
+#ifdef OPAQUE
+    if (opaque_share() == 0.0) {
+        discard;
+    }
+#endif
 #ifdef SKY
     picture = texelFetch(sky_picture, ivec2(gl_FragCoord.xy), 0);
 #else
@@ -32,6 +35,7 @@ void main()
 #endif
 #endif
 #ifdef CLOUDS
-    picture = with_clouds(vec4(0.0, 0.0, 0.0, 1.0), 0.0, picture);
+    picture = with_clouds(vec4(0.0, 0.0, 0.0, 1.0), 0.0, CLOUDS_END(metres_per_step), picture);
 #endif
+    picture = SHARE_OF(picture);
 }

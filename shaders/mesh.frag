@@ -1,6 +1,13 @@
 #version 450 core
 // A surface under the scene's lights: Lambert, with the highlight of Phong (1975) or Blinn (1977); or translucent, lit
 // from inside.
+// SAMPLES: how many a pixel has.
+
+#include "include/covered_part.glsl"
+#ifdef TRANSLUCENT
+#include "include/body_surface.glsl"
+#include "include/exit_maps.glsl"
+#endif
 #ifdef DEPTH_ONLY
 void main() {}
 #elif defined(THICKNESS)
@@ -15,6 +22,33 @@ void main()
     float reached = mm_per_unit * (orthographic != 0 ? -point_camera.z : length(point_camera));
     way = gl_FrontFacing ? -reached : reached;
 }
+#elif defined(MAP_READS)
+// Which texels of the maps a picture looks up.
+layout(early_fragment_tests) in;
+layout(binding = 0, r8ui) writeonly uniform uimage2DArray reads;  // 1 in the middle of 3 x 3 texels
+uniform int last_texel;
+
+// What another program may round away, texels.
+const float slack = 0.002;
+
+void main()
+{
+    find_covered_part();
+    BodySurface s = body_surface();
+    for (int n = 0; n < exit_count; ++n) {
+        ExitCamera camera = exit_cameras[n];
+        if (exit_cosine(camera, s.normal, s.facet) >= least_cosine - slack) {
+            vec2 place = exit_place(camera, s.position);
+            ivec2 low = clamp(ivec2(floor(place - slack)), ivec2(0), ivec2(last_texel));
+            ivec2 high = clamp(ivec2(floor(place + slack)), ivec2(0), ivec2(last_texel));
+            for (int y = low.y; y <= high.y; ++y) {
+                for (int x = low.x; x <= high.x; ++x) {
+                    imageStore(reads, ivec3(x, y, n), uvec4(1u));
+                }
+            }
+        }
+    }
+}
 #else
 #include "include/view_ray.glsl"
 #include "include/lights.glsl"
@@ -27,15 +61,19 @@ void main()
 #include "include/subsurface.glsl"
 #ifdef FROM_POINTS
 #include "include/subsurface_entry.glsl"
-uniform int entry_turns;  // how often `entry_samples` points are drawn
+uniform int entry_turns;          // how often `entry_samples` points are drawn
+uniform usampler2D open_pixels;   // 1 where the maps left something open
 #else
+layout(early_fragment_tests) in;
 uniform SubsurfaceMedium medium;
-#include "include/exit_maps.glsl"
+layout(binding = 0, r32ui) uniform uimage2D open_pixels;
+layout(std430, binding = 3) buffer OpenTotals {
+    uint open_count;
+    uint open_low_x, open_low_y, open_high_x, open_high_y;
+};
 #include "include/exit_light.glsl"
 #endif
 
-in vec3 position_body;  // mm
-in vec3 normal_body;
 uniform vec3 diffuse_reflectance;  // of the matter, for light from all sides
 uniform vec3 sigma_unscattered;    // 1/mm
 uniform int see_through;           // whether `thickness` holds anything
@@ -54,7 +92,7 @@ in vec3 point_camera;
 in vec3 normal_world;
 in vec2 coordinate;
 layout(location = 0) out vec4 radiance;       // linear; alpha = coverage
-layout(location = 1) out float ray_distance;  // along the pixel's ray
+layout(location = 1) out vec2 distance_and_share;  // along the pixel's ray
 
 uniform mat3 world_from_camera;
 uniform vec3 ambient;      // radiance from all sides
@@ -67,9 +105,9 @@ uniform sampler2D diffuse_texture;
 
 // Drivers interpolate between corners that they moved onto a grid of part pixels, so the interpolated point lies on the
 // surface but a little beside the ray. The plane through it and its neighbours leads back onto the ray.
-float distance_on_ray(vec3 start, vec3 direction)
+float distance_on_ray(vec3 point, vec3 start, vec3 direction)
 {
-    vec3 from_start = point_camera - start;
+    vec3 from_start = point - start;
     float along = dot(from_start, direction);
     vec3 beside = from_start - along * direction;
     vec3 plane = cross(dFdx(point_camera), dFdy(point_camera));
@@ -80,6 +118,21 @@ float distance_on_ray(vec3 start, vec3 direction)
     return along + clamp(slope, -most, most);
 }
 
+// Where a triangle covers part of a pixel only, the pixel's middle may lie beside it: its ray is that to the point that is
+// shaded, and the middle's ray is taken to end as deep.
+ViewRay surface_ray(bool whole, vec3 point)
+{
+    if (whole) {
+        return view_ray();
+    }
+    return orthographic != 0 ? ViewRay(vec3(point.xy, 0.0), vec3(0.0, 0.0, -1.0)) : ViewRay(vec3(0.0), point);
+}
+
+vec3 diffuse_picture()
+{
+    return textureGrad(diffuse_texture, WITHIN(coordinate), dFdx(coordinate), dFdy(coordinate)).xyz;
+}
+
 // Share of a lamp's light that no surface keeps away.
 float arriving(int lamp, vec3 normal)
 {
@@ -87,7 +140,7 @@ float arriving(int lamp, vec3 normal)
     vec3 facet = cross(dFdx(position_shadow), dFdy(position_shadow));
     float squared = dot(facet, facet);
     facet = squared > 1e-36 ? facet * inversesqrt(squared) : normal;
-    return light_arriving(lamp, position_shadow, dot(facet, normal) < 0.0 ? -facet : facet);
+    return light_arriving(lamp, WITHIN(position_shadow), dot(facet, normal) < 0.0 ? -facet : facet);
 #else
     return 1.0;
 #endif
@@ -115,29 +168,34 @@ float facing_of_seen(float facing_eye, vec3 direction)
     return max(facing_eye, min(facet, 0.1));
 }
 
+bool is_open = false;  // left to FROM_POINTS: no radiance, alpha 0
+
 vec3 light_from_within(float passing)
 {
-    vec3 facet = cross(dFdx(position_body), dFdy(position_body));
-    float squared = dot(normal_body, normal_body);
-    vec3 n_o = squared > 1e-30 ? normal_body * inversesqrt(squared) : vec3(0.0, 0.0, 1.0);
-    float length2 = dot(facet, facet);
-    facet = length2 > 1e-36 ? facet * inversesqrt(length2) : n_o;
-    facet = dot(facet, n_o) < 0.0 ? -facet : facet;
-    n_o = gl_FrontFacing ? n_o : -n_o;
-    facet = gl_FrontFacing ? facet : -facet;
+    BodySurface s = body_surface();
 #ifdef FROM_POINTS
     vec4 inside = vec4(0.0);
+    bool open = texelFetch(open_pixels, ivec2(gl_FragCoord.xy), 0).x != 0u;
+    int turns = open ? covered_share_of(entry_turns) : 0;  // samples that are not open keep what they have
     for (int lamp = 0; lamp < lamp_count; ++lamp) {
-        for (int turn = 0; turn < entry_turns; ++turn) {
-            vec2 shift = random_units(uvec2(gl_FragCoord.xy), uint(turn), uint(lamp)).xy;
-            inside.rgb += light_from_inside(lamp, position_body, n_o, shift);
+        for (int turn = 0; turn < turns; ++turn) {
+            vec2 shift = random_units(uvec2(gl_FragCoord.xy), uint(turn) + part_number(), uint(lamp)).xy;
+            inside.rgb += light_from_inside(lamp, s.position, s.normal, shift);
         }
     }
-    inside.rgb /= float(entry_turns);
+    inside.rgb /= float(max(turns, 1));
 #else
-    vec4 inside = light_from_maps(position_body, n_o, facet);
+    vec4 inside = light_from_maps(s);
     if (inside.w < seen_well) {
-        discard;  // left to FROM_POINTS
+        is_open = true;
+        if (imageAtomicExchange(open_pixels, ivec2(gl_FragCoord.xy), 1u) == 0u) {
+            atomicAdd(open_count, 1u);
+            uvec2 at = uvec2(gl_FragCoord.xy);
+            atomicMin(open_low_x, at.x);
+            atomicMin(open_low_y, at.y);
+            atomicMax(open_high_x, at.x);
+            atomicMax(open_high_y, at.y);
+        }
     }
 #endif
     return passing * inside.rgb;
@@ -147,16 +205,20 @@ vec3 light_from_within(float passing)
 void main()
 {
     begin_lights();
-    ViewRay ray = view_ray();
+    bool whole = find_covered_part();
+    vec3 point = WITHIN(point_camera);
+    ViewRay ray = surface_ray(whole, point);
     vec3 direction = normalize(ray.toward);
-    ray_distance = distance_on_ray(ray.start, direction);
+    float ray_distance = distance_on_ray(point, ray.start, direction);
+    distance_and_share = vec2(whole ? ray_distance : -point.z * length(view_ray().toward), 1.0);
     ray_origin_steps = world_from_camera * ray.start;
     ray_direction_world = world_from_camera * direction;
     vec3 toward_eye = -ray_direction_world;
 
+    vec3 outward = WITHIN(normal_world);
     // Both sides are shaded, each with the normal on the side of the eye.
-    float squared = dot(normal_world, normal_world);
-    vec3 normal = squared > 1e-30 ? normal_world * inversesqrt(squared) : toward_eye;
+    float squared = dot(outward, outward);
+    vec3 normal = squared > 1e-30 ? outward * inversesqrt(squared) : toward_eye;
     normal = gl_FrontFacing ? normal : -normal;
     float facing_eye = dot(normal, toward_eye);
 
@@ -182,7 +244,7 @@ void main()
     }
 #ifdef TRANSLUCENT
     float passing = fresnel_transmittance(facing_of_seen(facing_eye, direction), medium.eta);
-    vec3 picture = textured != 0 ? texture(diffuse_texture, coordinate).xyz : vec3(1.0);
+    vec3 picture = textured != 0 ? diffuse_picture() : vec3(1.0);
     vec3 from_lamps = light_from_within(passing);
 #if defined(CLOUD_SHADOWS) && DIRECTIONAL_LIGHTS == 1 && POINT_LIGHTS == 0
     // Maps hold what all lamps send in. Of one alone, the shadow where light leaves is that where it entered: clouds are
@@ -196,9 +258,9 @@ void main()
         float chord = max(texelFetch(thickness, ivec2(gl_FragCoord.xy), 0).x, 0.0);
         within += passing * passing * unscattered_transmittance(sigma_unscattered, chord) * around;
     }
-    radiance = vec4(picture * within + (highlight != 0 ? shine : vec3(0.0)), 1.0);
+    radiance = is_open ? vec4(0.0) : vec4(picture * within + (highlight != 0 ? shine : vec3(0.0)), 1.0);
 #else
-    vec3 albedo = diffuse * (textured != 0 ? texture(diffuse_texture, coordinate).xyz : vec3(1.0));
+    vec3 albedo = diffuse * (textured != 0 ? diffuse_picture() : vec3(1.0));
     radiance = vec4(albedo * reflected + (highlight != 0 ? specular * mirrored : vec3(0.0)), 1.0);
 #endif
 }

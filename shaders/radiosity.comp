@@ -6,29 +6,29 @@
 #include "include/subsurface.glsl"
 #include "include/subsurface_entry.glsl"
 #include "include/exit_maps.glsl"
+#include "include/exit_texels.glsl"
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 5) readonly buffer Texels { uint texels[]; };  // x + y * edge of those that see the body
-uniform uint first_texel;
-uniform uint past_texel;
-uniform uint edge;
-// rgb: mean of R, radiance inside over T_21; w: sum of squared differences of its grey from the mean.
+layout(std430, binding = 7) readonly buffer Chosen { uint chosen[]; };  // numbers in texels
+uniform uint first_chosen;
+uniform uint past_chosen;
+// rgb: mean of R, radiance inside over T_21; w: squared standard error of its grey, 0 after one pass.
 layout(binding = 0, rgba32f) uniform image2DArray radiosity;
 uniform sampler2DArray exit_depth;
 uniform sampler2DArray exit_normals;
-uniform int map_number;
 uniform int passes_before;
 
 void main()
 {
-    uint n = first_texel + gl_GlobalInvocationID.x;
-    if (n >= past_texel) {
+    uint place = first_chosen + gl_GlobalInvocationID.x;
+    if (place >= past_chosen) {
         return;
     }
-    ivec3 at = ivec3(texels[n] % edge, texels[n] / edge, map_number);
+    uint n = chosen[place];
+    ivec3 at = texel_at(n);
     float depth = texelFetch(exit_depth, at, 0).x;
-    ExitCamera camera = exit_cameras[map_number];
+    ExitCamera camera = exit_cameras[at.z];
     vec2 across = vec2(camera.right.w, camera.up.w) + (vec2(at.xy) + 0.5) * camera.size.xy;
     vec3 x_o = across.x * camera.right.xyz + across.y * camera.up.xyz -
                (camera.back.w + depth * camera.size.z) * camera.back.xyz;
@@ -36,12 +36,14 @@ void main()
 
     vec3 estimate = vec3(0.0);
     for (int lamp = 0; lamp < lamp_count; ++lamp) {
-        vec2 shift = random_units(uvec2(at.xy), uint(map_number), uint(lamp)).xy;
+        vec2 shift = random_units(uvec2(at.xy), uint(at.z), uint(lamp)).xy;
         estimate += light_from_inside(lamp, x_o, n_o, shift);
     }
     vec4 before = passes_before == 0 ? vec4(0.0) : imageLoad(radiosity, at);
-    vec3 mean = before.rgb + (estimate - before.rgb) / float(passes_before + 1);
+    float m = float(passes_before);
+    vec3 mean = before.rgb + (estimate - before.rgb) / (m + 1.0);
     const vec3 grey = vec3(1.0 / 3.0);
-    float squares = before.w + dot(grey, estimate - before.rgb) * dot(grey, estimate - mean);
-    imageStore(radiosity, at, vec4(mean, squares));
+    float squares = before.w * m * (m - 1.0) + dot(grey, estimate - before.rgb) * dot(grey, estimate - mean);
+    imageStore(radiosity, at, vec4(mean, passes_before == 0 ? 0.0 : squares / (m * (m + 1.0))));
+    passes_of[n] = uint(passes_before) + 1u;
 }

@@ -1,19 +1,14 @@
 #version 450 core
 // How noisy the light at a translucent surface still is where a picture looks it up: the standard error of the mean over
 // 3 x 3 texels, weighted as include/exit_light.glsl weights them, as a share of that mean.
+#include "include/exit_texels.glsl"
+
 layout(local_size_x = 64) in;
 
 layout(binding = 0, rgba32f) readonly uniform image2DArray radiosity;
 uniform sampler2DArray exit_depth;
-uniform float passes;
 uniform float least;  // values below this are compared with it
 layout(std430, binding = 4) writeonly buffer Sums { vec4 sums[]; };  // of squared shares, of values; texels
-
-layout(std430, binding = 5) readonly buffer Texels { uint texels[]; };  // x + y * edge of those that see the body
-uniform uint texel_count;
-uniform uint edge;
-uniform uint rows;
-uniform uint first[33];  // of each map in texels
 
 shared vec4 parts[64];
 
@@ -21,13 +16,9 @@ void main()
 {
     uint id = gl_GlobalInvocationID.x;
     vec4 own = vec4(0.0);
-    if (id < texel_count) {
-        int map = 0;
-        while (map < 31 && id >= first[map + 1]) {
-            ++map;
-        }
-        ivec3 at = ivec3(texels[id] % edge, texels[id] / edge, map);
-        ivec2 size = ivec2(edge, rows);
+    ivec3 at = texel_at(min(id, texel_count - 1u));
+    if (id < texel_count && is_middle_of_read(at)) {
+        ivec2 size = ivec2(edge);
         float sum = 0.0, squares = 0.0, weights = 0.0;
         for (int n = 0; n < 9; ++n) {
             ivec2 offset = ivec2(n % 3, n / 3) - 1;
@@ -42,7 +33,7 @@ void main()
             }
         }
         float mean = sum / weights;
-        float variance = squares / (weights * weights * passes * (passes - 1.0));
+        float variance = squares / (weights * weights);
         own = vec4(variance / max(mean * mean, max(least * least, 1e-30)), mean, 1.0, 0.0);
     }
     uint n = gl_LocalInvocationIndex;

@@ -25,8 +25,7 @@ uniform float pixel_angle;     // radians; 0: parallel rays
 uniform float turbidity;
 uniform vec3 look;             // strengths of air and haze, asymmetry of haze
 #ifdef OPAQUE
-uniform sampler2D opaque_radiance;
-uniform sampler2D opaque_distance;
+#include "include/opaque.glsl"
 uniform vec2 distance_scale;   // metres = x times what the texture holds, plus y
 #endif
 uniform sampler2D clear_table;
@@ -137,11 +136,16 @@ vec3 sky_radiance(Place place, vec3 direction)
 
 void main()
 {
+#ifdef OPAQUE
+    if (opaque_share() == 0.0) {
+        discard;
+    }
+#endif
     ViewRay ray = view_ray();  // metres
     vec3 direction = normalize(world_from_camera * ray.toward);
     Place place = place_of(world_from_camera * ray.start, direction);
 #ifdef OPAQUE
-    vec4 surface = texelFetch(opaque_radiance, ivec2(gl_FragCoord.xy), 0);
+    vec4 surface = opaque_surface();
     if (surface.w > 0.0) {
         float far = texelFetch(opaque_distance, ivec2(gl_FragCoord.xy), 0).x * distance_scale.x + distance_scale.y;
         vec2 top = sphere_hits(place.altitude, place.climb, air.height);

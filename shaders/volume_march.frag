@@ -12,9 +12,7 @@
 #include "include/volume.glsl"
 #include "include/march.glsl"
 #include "include/view_ray.glsl"
-#ifdef OPAQUE
 #include "include/opaque.glsl"
-#endif
 
 #ifdef CLOUDS
 #include "include/clouds_over.glsl"
@@ -22,7 +20,7 @@
 
 layout(location = 0) out vec4 picture;  // linear radiance; alpha = 1 - transmittance
 #ifdef COUNT
-layout(location = 1) out uvec2 counts;  // samples, queries of emptiness
+layout(location = 1) out vec2 counts;  // samples, queries of emptiness
 #endif
 
 uniform float near_steps;                // distance of the near plane along the view axis
@@ -55,6 +53,12 @@ float first_segment_length()
 
 void main()
 {
+#ifdef OPAQUE
+    float share = opaque_share();
+    if (share == 0.0) {
+        discard;
+    }
+#endif
     ViewRay ray = view_ray();  // in steps
     vec3 start = ray.start;
     float stretch = length(ray.toward);
@@ -97,22 +101,24 @@ void main()
 #endif
     if (!(m.t_out > m.t_in)) {
 #ifdef CLOUDS
-        behind = with_clouds(vec4(0.0, 0.0, 0.0, 1.0), 0.0, behind);
+        behind = with_clouds(vec4(0.0, 0.0, 0.0, 1.0), 0.0, CLOUDS_END(metres_per_step), behind);
 #endif
-        picture = behind;
+        picture = SHARE_OF(behind);
 #ifdef COUNT
-        counts = uvec2(0u);
+        counts = vec2(0.0);
 #endif
         return;
     }
     Marched marched = march(m);
 #ifdef CLOUDS
-    picture = with_clouds(vec4(marched.radiance, marched.transmittance), m.t_in * metres_per_step, behind);
+    picture = with_clouds(vec4(marched.radiance, marched.transmittance), m.t_in * metres_per_step,
+                          CLOUDS_END(metres_per_step), behind);
 #else
     picture = vec4(marched.radiance + marched.transmittance * behind.xyz,
                    1.0 - marched.transmittance * (1.0 - behind.w));
 #endif
+    picture = SHARE_OF(picture);
 #ifdef COUNT
-    counts = uvec2(marched.samples, marched.queries);
+    counts = vec2(marched.samples, marched.queries);
 #endif
 }

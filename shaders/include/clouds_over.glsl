@@ -9,8 +9,8 @@ uniform float metres_per_step;
 #endif
 
 // `matter`: radiance and transmittance of volumes, `matter_at` where they begin, metres; `behind`: the rest, alpha = how
-// much of the background it covers. Returns a picture like `behind`.
-vec4 with_clouds(vec4 matter, float matter_at, vec4 behind)
+// much of the background it covers, `end` from where it hides clouds. Returns a picture like `behind`.
+vec4 with_clouds(vec4 matter, float matter_at, float end, vec4 behind)
 {
 #ifdef SHAFTS
     behind.rgb -= min(behind.rgb, mix(shafts_background, 1.0, behind.a) * missing_light(end_of_ray(behind.a)));
@@ -23,6 +23,7 @@ vec4 with_clouds(vec4 matter, float matter_at, vec4 behind)
     for (int n = 0; n < CLOUDS; ++n) {
         vec4 part = texelFetch(cloud_radiance[n], ivec2(gl_FragCoord.xy), 0);
         float distance = texelFetch(cloud_distance[n], ivec2(gl_FragCoord.xy), 0).x;
+        part = distance < end ? part : vec4(0.0, 0.0, 0.0, 1.0);
 #ifdef SHAFTS
         part.rgb -= min(part.rgb, (1.0 - part.a) * missing_light(distance));
 #endif

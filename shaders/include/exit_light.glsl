@@ -1,32 +1,30 @@
 // The light from inside at a visible point of a translucent body, out of the maps around it. Needs
-// include/exit_maps.glsl; mm.
+// include/body_surface.glsl and include/exit_maps.glsl; mm.
 
 uniform sampler2DArray exit_depth;
 uniform sampler2DArray radiosity;
-uniform int exit_count;
 
 // Below this, what maps say is too coarse: one of them sees the point, slantingly or past an edge.
 const float seen_well = 0.02;
 
-// Mean of R over the maps that see x_o, each filtered over 3 x 3 texels of this very surface; w: how well it is seen,
-// at most 1. `facet` is the normal of the surface as it was drawn.
-vec4 light_from_maps(vec3 x_o, vec3 n_o, vec3 facet)
+// Mean of R over the maps that see a point, each filtered over 3 x 3 texels of this very surface; w: how well it is seen,
+// at most 1.
+vec4 light_from_maps(BodySurface s)
 {
     vec4 sum = vec4(0.0);
     ivec2 last = textureSize(exit_depth, 0).xy - 1;
     for (int n = 0; n < exit_count; ++n) {
         ExitCamera camera = exit_cameras[n];
-        float cosine = min(dot(n_o, camera.back.xyz), dot(facet, camera.back.xyz));
-        if (cosine < 0.08) {
-            continue;  // texels are stretched too far
+        float cosine = exit_cosine(camera, s.normal, s.facet);
+        if (cosine < least_cosine) {
+            continue;
         }
-        vec2 across = vec2(dot(camera.right.xyz, x_o) - camera.right.w, dot(camera.up.xyz, x_o) - camera.up.w);
-        vec2 p = across / camera.size.xy;
+        vec2 p = exit_place(camera, s.position);
         vec2 texel = floor(p);
         vec2 f = p - texel - 0.5;
-        float depth = -dot(camera.back.xyz, x_o) - camera.back.w;
+        float depth = -dot(camera.back.xyz, s.position) - camera.back.w;
         // What the depth of a texel's centre is if the surface goes on flat.
-        vec2 slope = vec2(dot(facet, camera.right.xyz), dot(facet, camera.up.xyz)) / dot(facet, camera.back.xyz);
+        vec2 slope = vec2(dot(s.facet, camera.right.xyz), dot(s.facet, camera.up.xyz)) / dot(s.facet, camera.back.xyz);
         float steep = length(slope);
         // What curves by a texel over a texel is still the same surface.
         float most = max(camera.size.x, camera.size.y) * (0.75 + steep);
@@ -43,7 +41,7 @@ vec4 light_from_maps(vec3 x_o, vec3 n_o, vec3 facet)
             }
         }
         // Slanting texels smear far over the surface; with neighbours on one side only there is no mean, only a guess.
-        float facing = cosine - 0.08;
+        float facing = cosine - least_cosine;
         sum += facing * facing * seen.w * seen;
     }
     return vec4(sum.rgb / max(sum.w, 1e-20), sum.w);

@@ -8,8 +8,14 @@ namespace bruma::gl {
 /// `full_screen.vert` makes one triangle that covers it out of nothing.
 class FullScreen {
   public:
-    void draw(const Program& program) const {
-        glDisable(GL_BLEND);
+    /// With `add` to what is there.
+    void draw(const Program& program, bool add = false) const {
+        if (add) {
+            glEnable(GL_BLEND);
+            glBlendFunc(GL_ONE, GL_ONE);
+        } else {
+            glDisable(GL_BLEND);
+        }
         glDisable(GL_DEPTH_TEST);
         glDisable(GL_SCISSOR_TEST);
         glDisable(GL_CULL_FACE);

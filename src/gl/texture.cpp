@@ -19,7 +19,7 @@ GLuint create(GLenum target) {
 
 }  // namespace
 
-Texture::Texture(GLenum target, std::string_view label, GLenum format, glm::ivec3 size, int levels)
+Texture::Texture(GLenum target, std::string_view label, GLenum format, glm::ivec3 size, int levels, int samples)
     : Object(create(target), label), target_(target), format_(format), size_(size) {
     while (glGetError() != GL_NO_ERROR) {
     }
@@ -29,6 +29,9 @@ Texture::Texture(GLenum target, std::string_view label, GLenum format, glm::ivec
             break;
         case GL_TEXTURE_2D:
             glTextureStorage2D(name(), levels, format, size.x, size.y);
+            break;
+        case GL_TEXTURE_2D_MULTISAMPLE:
+            glTextureStorage2DMultisample(name(), samples, format, size.x, size.y, GL_TRUE);
             break;
         default:
             glTextureStorage3D(name(), 1, format, size.x, size.y, size.z);
@@ -43,6 +46,9 @@ Texture::Texture(GLenum target, std::string_view label, GLenum format, glm::ivec
             throw InputError(sentence);  // the user's volume or settings, not the program's own needs
         }
         throw MachineError(sentence);
+    }
+    if (target == GL_TEXTURE_2D_MULTISAMPLE) {
+        return;  // never filtered
     }
     glTextureParameteri(name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTextureParameteri(name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -59,6 +65,9 @@ Texture Texture::make_2d(std::string_view label, GLenum format, glm::ivec2 size)
 }
 Texture Texture::make_2d_with_levels(std::string_view label, GLenum format, glm::ivec2 size) {
     return {GL_TEXTURE_2D, label, format, {size, 1}, int(std::bit_width(unsigned(std::max(size.x, size.y))))};
+}
+Texture Texture::make_2d_samples(std::string_view label, GLenum format, glm::ivec2 size, int samples) {
+    return {GL_TEXTURE_2D_MULTISAMPLE, label, format, {size, 1}, 1, samples};
 }
 Texture Texture::make_3d(std::string_view label, GLenum format, glm::ivec3 size) {
     return {GL_TEXTURE_3D, label, format, size};

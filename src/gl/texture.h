@@ -21,6 +21,8 @@ class Texture : public Object<TextureTraits> {
     /// With all mip levels, which `make_smaller_levels` fills from the first.
     static Texture make_2d_with_levels(std::string_view label, GLenum format, glm::ivec2 size);
     static Texture make_3d(std::string_view label, GLenum format, glm::ivec3 size);
+    /// With several samples in each texel, as many as asked for or a few more.
+    static Texture make_2d_samples(std::string_view label, GLenum format, glm::ivec2 size, int samples);
     /// Pictures of one size on top of each other; z counts them.
     static Texture make_2d_array(std::string_view label, GLenum format, glm::ivec3 size);
 
@@ -39,7 +41,7 @@ class Texture : public Object<TextureTraits> {
     void bind(GLuint unit) const { glBindTextureUnit(unit, name()); }
 
   private:
-    Texture(GLenum target, std::string_view label, GLenum format, glm::ivec3 size, int levels = 1);
+    Texture(GLenum target, std::string_view label, GLenum format, glm::ivec3 size, int levels = 1, int samples = 1);
     GLenum target_ = 0;
     GLenum format_ = 0;
     glm::ivec3 size_{0};

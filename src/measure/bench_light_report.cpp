@@ -82,23 +82,14 @@ std::string json_of(const LightBench& bench) {
                           {"frames", row.ratio},
                           {"finding", finding_build(row)}});
     }
-    const LightBenchOptions& options = bench.options;
-    const nlohmann::json document = {
-        {"bench", "light"},
-        {"machine", to_json(bench.machine)},
-        {"parameters",
-         {{"pixels", {options.pixels.x, options.pixels.y}},
-          {"frame_pixels", {options.frame_pixels.x, options.frame_pixels.y}},
-          {"repeats", options.repeats},
-          {"quick", options.quick},
-          {"reference_tolerance", options.reference_tolerance},
-          {"reference_samples", options.reference_samples}}},
-        {"note",
-         "errors are in units of display range, the 99.5th percentile of the reference's brightest channel; times are "
-         "medians of this machine, ratios medians over pairs drawn in turn"},
-        {"scenes", scenes},
-        {"launches", batches},
-        {"builds", builds}};
+    nlohmann::json document = begun_document(
+        "light", bench,
+        "errors are in units of display range, the 99.5th percentile of the reference's brightest channel; times are "
+        "medians of this machine, ratios medians over pairs drawn in turn");
+    document["parameters"]["reference_samples"] = bench.options.reference_samples;
+    document["scenes"] = scenes;
+    document["launches"] = batches;
+    document["builds"] = builds;
     return document.dump(1) + "\n";
 }
 

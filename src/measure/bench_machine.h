@@ -17,6 +17,21 @@ struct Machine {
 Machine describe_machine();
 nlohmann::json to_json(const Machine& machine);
 
+/// How the document of a suite begins; what is the suite's own is added.
+template <class Bench>
+nlohmann::json begun_document(std::string_view suite, const Bench& bench, std::string_view note) {
+    const auto& options = bench.options;
+    return {{"bench", suite},
+            {"machine", to_json(bench.machine)},
+            {"parameters",
+             {{"pixels", {options.pixels.x, options.pixels.y}},
+              {"frame_pixels", {options.frame_pixels.x, options.frame_pixels.y}},
+              {"repeats", options.repeats},
+              {"quick", options.quick},
+              {"reference_tolerance", options.reference_tolerance}}},
+            {"note", note}};
+}
+
 /// What one piece of work took.
 struct Duration {
     double wall_ms = 0.0;

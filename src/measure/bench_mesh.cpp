@@ -129,11 +129,13 @@ class Body {
     }
 
   private:
-    void set(SubsurfaceModel model, int maps, int size) {
+    /// The small pictures that are compared would look up few texels: their cost is that of whole maps.
+    void set(SubsurfaceModel model, int maps, int size, bool whole_maps) {
         std::get<scene::Mesh>(scene_.nodes.at(node_).content).subsurface.edit([&](scene::SubsurfaceSettings& settings) {
             settings.model = model;
             settings.maps = maps;
             settings.map_size = size;
+            settings.whole_maps = whole_maps;
         });
     }
     render::View view(glm::ivec2 pixels, int passes) const {
@@ -143,14 +145,14 @@ class Body {
     }
     /// Shaders are compiled when they are first used; that is no part of any time.
     void compile(SubsurfaceModel model) {
-        set(model, 1, 16);
+        set(model, 1, 16, false);
         lit_.render(scene_, view(options_.pixels, 1));
         lit_.render(scene_, view(options_.frame_pixels, 1));
     }
 
     void measure_passes(const Truths& truths, MeshBenchScene& result, std::size_t model, int maps, int size,
                         const std::vector<int>& passes) {
-        set(models[model], maps, size);
+        set(models[model], maps, size, true);
         const int samples = int(std::get<scene::Mesh>(scene_.nodes.at(node_).content).subsurface->samples);
         double build_ms = 0.0, frames = 0.0;
         for (const int count : passes) {
@@ -181,13 +183,15 @@ class Body {
         double wall_ms = 0.0, opaque_ms = 0.0;
     };
     /// A frame whose view alone is new.
-    static Frame frame(render::Renderer& renderer, scene::Scene& scene, const render::View& view, int& turn) {
+    Frame frame(render::Renderer& renderer, scene::Scene& scene, const render::View& view, int& turn) const {
         const scene::Camera before = **scene.camera;
         scene.camera->set(orbited(before, turn++ % 2 == 0 ? 0.2 : -0.2));
         Frame times;
         const Duration took = drained([&] {
             for (const render::PassReport& pass : renderer.render(scene, view, true)) {
-                times.opaque_ms += pass.ran && pass.name == "opaque" ? pass.gpu_ms : 0.0;
+                const bool draws =
+                    pass.name == "opaque" || pass.name == "map reads" || pass.name == node_ + ": radiosity";
+                times.opaque_ms += pass.ran && draws ? pass.gpu_ms : 0.0;
             }
         });
         times.wall_ms = took.wall_ms;
@@ -203,9 +207,15 @@ class Body {
         const scene::Scene still = scene_;
         MeshCombination row{maps, size};
         const render::View large = view(options_.frame_pixels, 1);
+        set(SubsurfaceModel::normalised_dipole, maps, size, false);
         lit_.render(scene_, large);
+        const auto standing = lit_.translucent_standing();
+        row.read_texels = standing->read_texels;
+        row.all_texels = standing->all_texels;
         std::vector<double> pass_ms, pass_ratios, frame_ratios;
         int turn = 0;
+        frame(lit_, scene_, large, turn);  // from here on there and back
+        frame(lit_, scene_, large, turn);
         for (int n = 0; n < std::max(3, options_.repeats); ++n) {
             const Frame opaque = opaque_frame();
             const Frame lit = frame(lit_, scene_, large, turn);

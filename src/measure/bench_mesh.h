@@ -35,12 +35,15 @@ struct MeshBenchRow {
     double build_over_frame = 0.0;  ///< against a Blinn-Phong frame
 };
 
-/// A frame whose view alone is new: maps are blended into a picture.
+/// A frame whose view alone is new, between two whose texels are there: maps are blended into a picture.
 struct MeshCombination {
     int maps = 0, map_size = 0;
-    double pass_ms = 0.0;           ///< of the pass alone
-    double pass_over_opaque = 0.0;  ///< against the same pass with Blinn-Phong shading
+    double pass_ms = 0.0;           ///< all that draws the mesh, the look for missing texels included
+    double pass_over_opaque = 0.0;  ///< against the same with Blinn-Phong shading
     double frame_over_frame = 0.0;  ///< whole frames
+    std::uint64_t read_texels = 0;  ///< that the frame looks up: light is worked out there
+    std::uint64_t all_texels = 0;   ///< of the maps, that see the body
+    double read_share() const { return double(read_texels) / double(all_texels); }
 };
 
 struct MeshBenchScene {

@@ -65,7 +65,10 @@ BenchTable table_of(const std::vector<MeshCombination>& combinations) {
          {"map_size", "map size", {}, [](const Row& row) { return row.map_size; }},
          {"pass_over_blinn_phong", "pass / pass", "{:.2f}", [](const Row& row) { return row.pass_over_opaque; }},
          {"frame_over_blinn_phong", "frame / frame", "{:.2f}", [](const Row& row) { return row.frame_over_frame; }},
-         {"pass_ms", "pass ms", "{:.1f}", [](const Row& row) { return row.pass_ms; }}},
+         {"pass_ms", "pass ms", "{:.1f}", [](const Row& row) { return row.pass_ms; }},
+         {"read_texels", "texels read", {}, [](const Row& row) { return row.read_texels; }},
+         {"all_texels", "texels", {}, [](const Row& row) { return row.all_texels; }},
+         {"read_share", "share", "{:.3f}", [](const Row& row) { return row.read_share(); }}},
         combinations);
 }
 
@@ -110,25 +113,15 @@ void write_mesh_bench(const MeshBench& bench, const std::filesystem::path& folde
     for (const SamplingRace& race : bench.races) {
         findings.push_back(finding_race(race));
     }
-    const MeshBenchOptions& options = bench.options;
-    const nlohmann::json document = {
-        {"bench", "mesh"},
-        {"machine", to_json(bench.machine)},
-        {"parameters",
-         {{"pixels", {options.pixels.x, options.pixels.y}},
-          {"frame_pixels", {options.frame_pixels.x, options.frame_pixels.y}},
-          {"repeats", options.repeats},
-          {"quick", options.quick},
-          {"reference_tolerance", options.reference_tolerance},
-          {"photons_per_channel", options.photons}}},
-        {"note",
-         "errors are in units of display range, the 99.5th percentile of the brightest channel of the normalised "
-         "model's quadrature; times are of this machine, ratios against Blinn-Phong frames of the same run"},
-        {"scenes", scenes},
-        {"sampling",
-         {{"findings", findings},
-          {"noise", json_of(table_of(bench.noise))},
-          {"races", json_of(table_of(bench.races))}}}};
+    nlohmann::json document =
+        begun_document("mesh", bench,
+                       "errors are in units of display range, the 99.5th percentile of the brightest channel of the "
+                       "normalised model's "
+                       "quadrature; times are of this machine, ratios against Blinn-Phong frames of the same run");
+    document["parameters"]["photons_per_channel"] = bench.options.photons;
+    document["scenes"] = scenes;
+    document["sampling"] = {
+        {"findings", findings}, {"noise", json_of(table_of(bench.noise))}, {"races", json_of(table_of(bench.races))}};
     write_bench_files(folder, {{"mesh.csv", csv_of(stacked("scene", tables))},
                                {"mesh_sampling.csv", csv_of(table_of(bench.noise))},
                                {"mesh.json", document.dump(1) + "\n"},

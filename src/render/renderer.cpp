@@ -143,6 +143,7 @@ void Renderer::update_meshes(const scene::Scene& scene, const std::vector<std::s
         return gone;
     });
     if (shown.empty()) {
+        map_reads_.reset();
         return;
     }
     if (!opaque_) {
@@ -175,6 +176,15 @@ void Renderer::update_meshes(const scene::Scene& scene, const std::vector<std::s
 void Renderer::update_translucent(const scene::Scene& scene, const std::vector<std::string>& shown,
                                   const std::vector<scene::Light>& lights, const View& view) {
     const glm::dvec3 back = scene::camera_frame(**scene.camera).back_world;
+    const bool needs_reads = std::any_of(shown.begin(), shown.end(), [&](const std::string& name) {
+        return is_translucent(scene, name) &&
+               TranslucentPasses::needs_reads(*std::get<scene::Mesh>(scene.nodes.at(name).content).subsurface);
+    });
+    if (!needs_reads) {
+        map_reads_.reset();
+    } else if (!map_reads_) {
+        map_reads_ = std::make_unique<MapReadsPass>(graph_, shaders_);
+    }
     for (const std::string& name : shown) {
         if (is_translucent(scene, name)) {
             auto& passes = translucents_[name];
@@ -188,8 +198,11 @@ void Renderer::update_translucent(const scene::Scene& scene, const std::vector<s
                 }
             }
             passes->update(std::get<scene::Mesh>(scene.nodes.at(name).content), scene::world_from_model(scene, name),
-                           occluders, lights, back, view.paths);
+                           occluders, lights, back, view.paths, map_reads_ ? map_reads_->reads : Handle<MapReads>{});
         }
+    }
+    if (map_reads_) {
+        map_reads_->update(scene, meshes_, translucents_, view.pixels);
     }
 }
 
@@ -201,7 +214,10 @@ std::optional<TranslucentStanding> Renderer::translucent_standing() const {
     for (const auto& [name, passes] : translucents_) {
         if (const RadiosityMaps* const maps = passes->standing()) {
             standing.passes = std::min(standing.passes, maps->passes);
-            standing.noise = std::max(standing.noise, maps->noise);
+            standing.noise =
+                std::max(standing.noise, maps->all_texels > 0 && maps->read_texels == 0 ? 0.0 : maps->noise);
+            standing.read_texels += maps->read_texels;
+            standing.all_texels += maps->all_texels;
             standing.evaluations += maps->evaluations;
             standing.settled = standing.settled && passes->settled();
         }
@@ -372,11 +388,11 @@ SampleTotals Renderer::count_samples(const scene::Scene& scene, const View& view
     graph_.run({march_.picture.index, march_.counts.index});
     if (!volumes_.empty()) {
         const gl::Texture& counts = graph_.product(march_.counts)->counts;
-        std::vector<glm::uvec2> pixels(std::size_t(view.pixels.x) * view.pixels.y);
-        counts.download({GL_RG_INTEGER, GL_UNSIGNED_INT}, pixels.size() * sizeof(glm::uvec2), pixels.data());
-        for (const glm::uvec2 pixel : pixels) {
-            totals.samples += pixel.x;
-            totals.emptiness_queries += pixel.y;
+        std::vector<glm::vec2> pixels(std::size_t(view.pixels.x) * view.pixels.y);
+        counts.download({GL_RG, GL_FLOAT}, pixels.size() * sizeof(glm::vec2), pixels.data());
+        for (const glm::vec2 pixel : pixels) {
+            totals.samples += std::uint64_t(pixel.x);
+            totals.emptiness_queries += std::uint64_t(pixel.y);
         }
         totals.samples_per_pixel = double(totals.samples) / double(pixels.size());
     }

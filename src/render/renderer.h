@@ -7,6 +7,7 @@
 #include "gl/shader_library.h"
 #include "render/clouds.h"
 #include "render/frame_graph.h"
+#include "render/passes/map_reads_pass.h"
 #include "render/passes/march_pass.h"
 #include "render/passes/path_trace_pass.h"
 #include "render/passes/sky_passes.h"
@@ -40,6 +41,8 @@ struct TranslucentStanding {
     double noise = 0.0;               ///< standard error, share of the local value; 1e30: not known yet
     bool settled = false;             ///< all of them are below the noise that was asked for
     std::uint64_t evaluations = 0;    ///< of the BSSRDF, in the passes over the maps of all of them
+    std::uint64_t read_texels = 0;    ///< of their maps, that the camera's pixels look up: no others are worked out
+    std::uint64_t all_texels = 0;     ///< that see them
     std::uint32_t unseen_pixels = 0;  ///< that no map sees well, so that their light is worked out one by one
 };
 
@@ -102,11 +105,12 @@ class Renderer {
     MarchPass::Volumes volumes_;
     MarchPass::Lights lights_;  ///< of the volumes that scatter
     OpaquePass::Meshes meshes_;
-    std::unique_ptr<ShadowPass> shadows_;    ///< none while no lamp casts any
-    std::unique_ptr<SkyPasses> sky_;         ///< none indoors
-    OpaquePass::Translucents translucents_;  ///< of the meshes that light enters
-    std::unique_ptr<OpaquePass> opaque_;     ///< none while no mesh is shown
-    std::unique_ptr<Clouds> clouds_;         ///< none while no clouds are shown
+    std::unique_ptr<ShadowPass> shadows_;      ///< none while no lamp casts any
+    std::unique_ptr<SkyPasses> sky_;           ///< none indoors
+    std::unique_ptr<MapReadsPass> map_reads_;  ///< none while no map waits for being read
+    OpaquePass::Translucents translucents_;    ///< of the meshes that light enters
+    std::unique_ptr<OpaquePass> opaque_;       ///< none while no mesh is shown
+    std::unique_ptr<Clouds> clouds_;           ///< none while no clouds are shown
     bool said_no_meshes_ = false, said_no_sky_ = false;
     std::string said_shadows_left_out_;  ///< the last warning of that kind
 };

@@ -31,6 +31,7 @@ struct RenderSettings {
     bool early_termination = true;
     double stop_transmittance = 1.0 / 1024.0;  ///< rays end below this; error at most this times the largest radiance
     Jitter jitter = Jitter::off;
+    std::int64_t samples = 4;  ///< places in each pixel where meshes are asked for; 1: their edges are not smoothed
     std::int64_t shadow_map_size = 1024;  ///< texels along an edge of what each lamp sees of all meshes; 0: no shadows
     bool operator==(const RenderSettings&) const = default;
 };
@@ -66,6 +67,15 @@ void visit_fields(Self& settings, Visitor&& visit) {
           settings.stop_transmittance);
     visit(Field{.name = "jitter", .sentence = "shift each ray's first segment to trade bands for grain"},
           settings.jitter);
+    visit(
+        Field{.name = "samples",
+              .sentence = "places in each pixel where meshes cover it or not; 1: their edges are stairs; at most what "
+                          "the driver has",
+              .min = 1,
+              .max = 16,
+              .panel_min = 1,
+              .panel_max = 8},
+        settings.samples);
     visit(Field{.name = "shadow_map_size",
                 .sentence = "texels along an edge of what each lamp sees of all meshes; 0: meshes cast no shadows",
                 .min = 0,

@@ -40,6 +40,7 @@ struct SubsurfaceSettings {
     std::int64_t samples = 8;            ///< points of light per lamp, texel and pass
     SubsurfaceSampling sampling = SubsurfaceSampling::core_tail;
     double noise = 0.01;      ///< passes are added until the standard error is below this share of the value
+    bool whole_maps = false;  ///< also texels that no pixel of the picture looks up
     bool highlight = true;    ///< reflection at the surface on top
     bool unscattered = true;  ///< what shines straight through thin and weak matter
     bool operator==(const SubsurfaceSettings&) const = default;
@@ -95,6 +96,10 @@ void visit_fields(Self& settings, Visitor&& visit) {
                 .panel_max = 0.1,
                 .logarithmic = true},
           settings.noise);
+    visit(Field{.name = "whole_maps",
+                .sentence = "work out all texels of the maps, not only those that the picture looks up: dearer at "
+                            "first, and a camera that goes around finds them ready"},
+          settings.whole_maps);
     visit(Field{.name = "highlight", .sentence = "reflection at the surface, on top of the light from inside"},
           settings.highlight);
     visit(Field{.name = "unscattered", .sentence = "what shines straight through where matter is thin or weak"},

@@ -45,6 +45,7 @@ TEST_F(Drawing, ABallUnderEachKindOfLightIsLambert) {
     for (const scene::Projection projection : both_projections) {
         for (const scene::Light& light : kinds) {
             scene::Scene scene = ball_seen_from(4.0, projection);
+            scene.rendering.edit([](scene::RenderSettings& s) { s.samples = 1; });  // what is at the pixels' centres
             scene.lights["key"] = light;
             const Image image = draw(scene, pixels);
             double worst = 0.0;
@@ -119,6 +120,7 @@ TEST_F(Drawing, TexturesLieTheRightWayUp) {
             picture->texels.insert(picture->texels.end(), std::size_t(bits / 8), std::byte(byte));  // 257 * byte
         }
         scene::Scene scene = scene_seen_from(4.0, scene::Projection::orthographic, 2.0);
+        scene.rendering.edit([](scene::RenderSettings& s) { s.samples = 1; });  // what is at the pixels' centres
         scene.environment = scene::Environment{.radiance = glm::dvec3(1.0)};
         auto mesh = quad_mesh(1.0F);
         mesh->materials[0].diffuse_texture = picture;

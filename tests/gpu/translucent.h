@@ -24,6 +24,8 @@ inline scene::Mesh& add_translucent(scene::Scene& scene, const std::string& name
         surface.material = scene::Material::custom;
         surface.custom_medium = medium;
     });
+    // The reference looks through the middle of each pixel.
+    scene.rendering.edit([](scene::RenderSettings& settings) { settings.samples = 1; });
     mesh.subsurface.edit([](scene::SubsurfaceSettings& settings) {
         settings.model = scene::SubsurfaceModel::directional_dipole;
         settings.highlight = false;

@@ -270,9 +270,9 @@ void CloudMarchPass::march(const PassAccess& access, const Parameters& parameter
     }
     if (parameters.opaque.index >= 0) {
         const OpaquePicture& opaque = access.read(parameters.opaque);
-        opaque.distance.bind(unit);
+        opaque.layers.farthest_distances().bind(unit);
         program.set("opaque_distance", int(unit++));
-        program.set("metres_per_unit", float(opaque.unit_world));
+        program.set("metres_per_unit", float(opaque.layers.unit_world));
     }
     if (parameters.air) {
         set_air(access, program, *parameters.air, unit);

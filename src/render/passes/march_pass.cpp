@@ -24,7 +24,7 @@ void make_targets(SampleCounts& counts, glm::ivec2 pixels) {
     if (!counts.counts || glm::ivec2(counts.counts.size()) != pixels) {
         counts.framebuffer = {};
         counts.picture = gl::Texture::make_2d("picture while counting", GL_RGBA32F, pixels);
-        counts.counts = gl::Texture::make_2d("sample counts", GL_RG32UI, pixels);
+        counts.counts = gl::Texture::make_2d("sample counts", GL_RG32F, pixels);
         counts.framebuffer = gl::Framebuffer("sample counts", {&counts.picture, &counts.counts});
     }
 }
@@ -330,21 +330,17 @@ void MarchPass::draw(const PassAccess& access, const Parameters& parameters, boo
     const scene::Camera camera = started_nearer(access.read(camera_), parameters.skipped_distance);
     const scene::Background& background = access.read(background_);
     const double h = parameters.step_world;
-    GLuint unit = 0;
+    GLuint unit = 0, sky_unit = 0;
     shader.set("pixels", glm::vec2(pixels));
     shader.set("background_top", glm::vec3(background.top));
     shader.set("background_bottom", glm::vec3(background.bottom));
     if (parameters.opaque.index >= 0) {
-        const OpaquePicture& opaque = access.read(parameters.opaque);
-        opaque.radiance.bind(unit);
-        shader.set("opaque_radiance", int(unit++));
-        opaque.distance.bind(unit);
-        shader.set("opaque_distance", int(unit++));
-        shader.set("steps_per_unit", float(opaque.unit_world / h));
+        unit += 2;
+        shader.set("steps_per_unit", float(access.read(parameters.opaque).layers.unit_world / h));
     }
     if (parameters.sky.index >= 0) {
-        access.read(parameters.sky).color.bind(unit);
-        shader.set("sky_picture", int(unit++));
+        sky_unit = unit++;
+        shader.set("sky_picture", int(sky_unit));
     }
     for (std::size_t n = 0; n < parameters.clouds.size(); ++n) {
         const CloudPicture& layer = access.read(parameters.clouds[n]);
@@ -359,7 +355,7 @@ void MarchPass::draw(const PassAccess& access, const Parameters& parameters, boo
         shader.set("half_view", glm::vec2(half_view(camera, pixels, h)));
         if (parameters.opaque.index >= 0) {
             shader.set("shafts_surface",
-                       glm::vec2(access.read(parameters.opaque).unit_world, parameters.skipped_distance));
+                       glm::vec2(access.read(parameters.opaque).layers.unit_world, parameters.skipped_distance));
         }
     }
     if (!parameters.volumes.empty()) {
@@ -395,7 +391,17 @@ void MarchPass::draw(const PassAccess& access, const Parameters& parameters, boo
             bind_volume(access, shader, parameters, int(n), unit, camera);
         }
     }
-    full_screen_.draw(shader);
+    const SurfaceLayers* const surfaces =
+        parameters.opaque.index >= 0 ? &access.read(parameters.opaque).layers : nullptr;
+    for (int layer = 0; layer < (surfaces != nullptr ? surfaces->count : 1); ++layer) {
+        if (surfaces != nullptr) {
+            surfaces->bind(shader, layer, 0);
+        }
+        if (parameters.sky.index >= 0) {
+            access.read(parameters.sky).layers[std::size_t(layer)].color.bind(sky_unit);
+        }
+        full_screen_.draw(shader, layer > 0);
+    }
     access.note(fmt::format("{} x {} pixels", pixels.x, pixels.y) +
                 (parameters.volumes.empty() ? "" : fmt::format(", step {:.3g} mm", 1e3 * h)));
 }

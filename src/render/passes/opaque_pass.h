@@ -6,23 +6,22 @@
 
 #include "gl/shader_library.h"
 #include "render/cloud_shadows.h"
-#include "render/passes/mesh_passes.h"
+#include "render/passes/mesh_view.h"
 #include "render/passes/shadow_pass.h"
+#include "render/passes/surface_layers.h"
 #include "render/passes/translucent_passes.h"
 #include "render/sky_light.h"
 #include "scene/scene.h"
 
 namespace bruma::render {
 
-/// The nearest surface at the centre of each pixel: one sample, so edges are not smoothed. Bottom row first.
+/// What the meshes show.
 struct OpaquePicture {
-    gl::Texture radiance;  ///< linear Rec.709; alpha is 1 on a surface and 0 beside
-    gl::Texture distance;  ///< along the pixel's ray, from the eye or the plane through it, in `unit_world`; 1e30: none
-    gl::Texture depth;
-    gl::Framebuffer framebuffer;
+    SurfaceLayers layers;
+    SampledSurfaces sampled;
     gl::Texture thickness;  ///< R32F, mm: of a body that is seen through, while it is drawn
     gl::Framebuffer thickness_framebuffer;
-    double unit_world = 1.0;  ///< metres
+    gl::Texture open;  ///< R8UI: 1 where maps left samples of a body open, while it is drawn
     /// Pixels of translucent surfaces that no map sees well; their light is worked out one by one.
     std::uint32_t unseen = 0;
 };
@@ -53,17 +52,16 @@ class OpaquePass {
     };
     struct MeshInput {
         std::string name;
-        Handle<MeshPasses::Triangles> triangles;
-        Handle<MeshBuffers> buffers;
+        PlacedMesh placed;
         Handle<MeshTextures> textures;  ///< empty where none is shown
-        glm::dmat4 world_from_model{1.0};
-        scene::MeshSurface surface;  ///< of the matter inside nothing is kept
-        int highlight = 0;           ///< as mesh.frag counts them
+        scene::MeshSurface surface;     ///< of the matter inside nothing is kept
+        int highlight = 0;              ///< as mesh.frag counts them
         Inside inside;
         bool operator==(const MeshInput&) const = default;
     };
     struct Parameters {
         glm::ivec2 pixels{0};
+        int samples = 1;
         double skipped_distance = 0.0;  ///< metres, before parallel rays start
         std::vector<MeshInput> meshes;
         std::vector<scene::Light> lights;
@@ -73,21 +71,19 @@ class OpaquePass {
         CloudShadows clouds;
         bool operator==(const Parameters&) const = default;
     };
-    struct Stand;  // where the meshes stand before the camera
-
     void draw(const PassAccess& access, const Parameters& parameters);
-    static void draw_mesh(const PassAccess& access, gl::Program& program, const MeshInput& input, const Stand& stand,
+    static void draw_mesh(const PassAccess& access, gl::Program& program, const MeshInput& input, const MeshView& view,
                           Handle<ShadowMaps> shadows);
     static gl::Defines defines_of(const Parameters& parameters);
     /// How many pixels no map saw.
-    std::uint32_t draw_translucent(const PassAccess& access, const Parameters& parameters, const Stand& stand,
+    std::uint32_t draw_translucent(const PassAccess& access, const Parameters& parameters, const MeshView& view,
                                    const MeshInput& input);
     /// Whether light from behind comes through a body; then `thickness` is drawn.
-    bool draw_thickness(const PassAccess& access, const Parameters& parameters, const Stand& stand,
+    bool draw_thickness(const PassAccess& access, const Parameters& parameters, const MeshView& view,
                         const MeshInput& input);
     /// Textures and constants of what is inside; the buffer must live until the mesh is drawn.
     static void set_inside(const PassAccess& access, gl::Program& program, const MeshInput& input, gl::Buffer& lamps);
-    gl::Program& prepared_program(const PassAccess& access, const Parameters& parameters, const Stand& stand,
+    gl::Program& prepared_program(const PassAccess& access, const Parameters& parameters, const MeshView& view,
                                   const gl::Defines& defines);
 
     FrameGraph& graph_;

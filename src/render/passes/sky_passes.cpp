@@ -29,11 +29,14 @@ void make_table(gl::Texture& texture, const char* label, glm::ivec2 size) {
     }
 }
 
-void make_targets(SkyPicture& picture, glm::ivec2 pixels) {
-    if (!picture.color || glm::ivec2(picture.color.size()) != pixels) {
-        picture.framebuffer = {};
-        picture.color = gl::Texture::make_2d("sky", GL_RGBA32F, pixels);
-        picture.framebuffer = gl::Framebuffer("sky", {&picture.color});
+void make_targets(SkyPicture& picture, glm::ivec2 pixels, int layers) {
+    picture.layers.resize(std::size_t(layers));
+    for (SkyPicture::Layer& layer : picture.layers) {
+        if (!layer.color || glm::ivec2(layer.color.size()) != pixels) {
+            layer.framebuffer = {};
+            layer.color = gl::Texture::make_2d("sky", GL_RGBA32F, pixels);
+            layer.framebuffer = gl::Framebuffer("sky", {&layer.color});
+        }
     }
 }
 
@@ -226,8 +229,9 @@ void SkyPasses::make_light(const PassAccess& access, const scene::Sun& sun, bool
 
 void SkyPasses::draw(const PassAccess& access, const PictureParameters& parameters, bool marched) {
     SkyPicture& out = access.write(picture);
-    make_targets(out, parameters.pixels);
-    out.framebuffer.bind();
+    const bool has_surfaces = parameters.opaque.index >= 0;
+    const SurfaceLayers* const surfaces = has_surfaces ? &access.read(parameters.opaque).layers : nullptr;
+    make_targets(out, parameters.pixels, has_surfaces ? surfaces->count : 1);
     gl::Defines defines;
     const scene::SkyModel model = parameters.sky.model;
     if (model != scene::SkyModel::atmosphere) {
@@ -236,7 +240,6 @@ void SkyPasses::draw(const PassAccess& access, const PictureParameters& paramete
     if (marched) {
         defines["MARCH"] = "";
     }
-    const bool has_surfaces = parameters.opaque.index >= 0;
     if (has_surfaces) {
         defines["OPAQUE"] = "";
     }
@@ -248,13 +251,9 @@ void SkyPasses::draw(const PassAccess& access, const PictureParameters& paramete
     program.set("clear_table", int(unit++));
     (tabulated ? access.read(view).haze : none).bind(unit);
     program.set("haze_table", int(unit++));
+    const GLuint surface_unit = unit;
     if (has_surfaces) {
-        const OpaquePicture& opaque = access.read(parameters.opaque);
-        opaque.radiance.bind(unit);
-        program.set("opaque_radiance", int(unit++));
-        opaque.distance.bind(unit);
-        program.set("opaque_distance", int(unit++));
-        program.set("distance_scale", glm::vec2(opaque.unit_world, parameters.skipped_distance));
+        program.set("distance_scale", glm::vec2(surfaces->unit_world, parameters.skipped_distance));
     }
     const scene::Camera& camera = access.read(camera_);
     const scene::CameraFrame frame = scene::camera_frame(camera);
@@ -273,7 +272,13 @@ void SkyPasses::draw(const PassAccess& access, const PictureParameters& paramete
     program.set("turbidity", float(parameters.sky.turbidity));
     program.set("look", glm::vec3(glm::dvec3(parameters.sky.look_rayleigh, parameters.sky.look_mie,
                                              parameters.sky.look_mie_g)));
-    full_screen_.draw(program);
+    for (std::size_t layer = 0; layer < out.layers.size(); ++layer) {
+        if (has_surfaces) {
+            surfaces->bind(program, int(layer), surface_unit);
+        }
+        out.layers[layer].framebuffer.bind();
+        full_screen_.draw(program);
+    }
     access.note(fmt::format("{} x {} pixels{}", parameters.pixels.x, parameters.pixels.y,
                             marched ? ", marched along each ray" : ""));
 }

@@ -16,9 +16,13 @@ struct SkyViewTables {
 };
 
 /// The sky behind everything and the surfaces before it, behind their air; alpha is their coverage. Bottom row first.
+/// As many layers as surfaces have; in those behind the first only pixels count that have a share there.
 struct SkyPicture {
-    gl::Texture color;
-    gl::Framebuffer framebuffer;
+    struct Layer {
+        gl::Texture color;
+        gl::Framebuffer framebuffer;
+    };
+    std::vector<Layer> layers;
 };
 
 /// Sky, air and ground around a scene. Three tables depend on the air alone, the sky view on the sun's elevation and

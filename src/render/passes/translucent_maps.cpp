@@ -54,13 +54,7 @@ void start_drawing() {
 }
 
 void draw_body(const SeenBody& body, gl::Program& program, const MapCamera& camera) {
-    const glm::dmat3 normals = glm::transpose(glm::inverse(body.body_from_model));
-    double largest = 1e-300;
-    for (int k = 0; k < 9; ++k) {
-        largest = std::max(largest, std::abs(normals[k / 3][k % 3]));
-    }
-    program.set("body_from_model", glm::mat3(body.body_from_model));
-    program.set("body_from_normal", glm::mat3(normals / largest));
+    set_body(program, body.body_from_model);
     program.set("clip_from_body", glm::mat4(camera.clip_from_body()));
     program.use();
     draw_all(body.buffers);
@@ -87,16 +81,27 @@ void draw_shades(gl::ShaderLibrary& shaders, const std::vector<SeenShade>& shade
 
 /// Texels of one map that see the body, read back once per shape so that no shader starts for those beside it.
 void append_texels(std::vector<std::uint32_t>& texels, const gl::Texture& depth, int map, std::vector<float>& depths) {
+    const auto before = std::uint32_t(std::size_t(map) * depths.size());  // 32 maps of 4096^2 leave room
     glGetTextureSubImage(depth.name(), 0, 0, 0, map, depth.size().x, depth.size().y, 1, GL_DEPTH_COMPONENT, GL_FLOAT,
                          GLsizei(depths.size() * sizeof(float)), depths.data());
     for (std::uint32_t n = 0; n < depths.size(); ++n) {
         if (depths[n] < 1.0F) {
-            texels.push_back(n);
+            texels.push_back(before + n);
         }
     }
 }
 
 }  // namespace
+
+void set_body(gl::Program& program, const glm::dmat3& body_from_model) {
+    const glm::dmat3 normals = glm::transpose(glm::inverse(body_from_model));
+    double largest = 1e-300;
+    for (int k = 0; k < 9; ++k) {
+        largest = std::max(largest, std::abs(normals[k / 3][k % 3]));
+    }
+    program.set("body_from_model", glm::mat3(body_from_model));
+    program.set("body_from_normal", glm::mat3(normals / largest));
+}
 
 std::string draw_light_maps(LightMaps& out, gl::ShaderLibrary& shaders, const SeenBody& body,
                             const std::vector<SeenShade>& shades, const std::vector<BodyLamp>& lamps, double eta,
@@ -158,7 +163,6 @@ std::string draw_exit_maps(ExitMaps& out, gl::ShaderLibrary& shaders, const Seen
     std::vector<ExitCameraData> cameras;
     std::vector<std::uint32_t> texels;
     std::vector<float> depths(std::size_t(size) * std::size_t(size));
-    out.first = {0};
     out.texel_mm = 0.0;
     for (int map = 0; map < maps; ++map) {
         const MapCamera camera = parallel_camera(points, halton_direction(unsigned(map) + 1), size);
@@ -172,11 +176,12 @@ std::string draw_exit_maps(ExitMaps& out, gl::ShaderLibrary& shaders, const Seen
                            glm::vec4(camera.back, camera.near_depth), glm::vec4(camera.texel, camera.depth, 0.0)});
         out.texel_mm = std::max(out.texel_mm, std::max(camera.texel.x, camera.texel.y));
         append_texels(texels, out.depth, map, depths);
-        out.first.push_back(std::uint32_t(texels.size()));
     }
     glDisable(GL_DEPTH_TEST);
+    out.maps = maps;
+    out.texel_count = std::uint32_t(texels.size());
     // Buffers are never empty.
-    cameras.resize(std::size_t(layers.z));
+    cameras.resize(32);  // as many as the shaders have room for
     texels.push_back(0);
     out.cameras = gl::Buffer("exit cameras", std::span<const ExitCameraData>(cameras));
     out.texels = gl::Buffer("exit texels", std::span<const std::uint32_t>(texels));

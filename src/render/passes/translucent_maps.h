@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,13 +28,21 @@ struct LightMaps {
 
 /// Where light leaves a body: what parallel cameras around it see.
 struct ExitMaps {
-    gl::Texture depth;                 ///< depth array, 1 where nothing is
-    gl::Texture normals;               ///< RG16 array, octahedral
-    gl::Buffer cameras;                ///< for include/exit_maps.glsl
-    gl::Buffer texels;                 ///< those that see the body, map after map: x + y * edge
-    std::vector<std::uint32_t> first;  ///< of each map in `texels`, and one past the last
-    double texel_mm = 0.0;             ///< largest
-    int maps() const { return int(first.size()) - 1; }
+    gl::Texture depth;              ///< depth array, 1 where nothing is
+    gl::Texture normals;            ///< RG16 array, octahedral
+    gl::Buffer cameras;             ///< for include/exit_maps.glsl
+    gl::Buffer texels;              ///< those that see the body, map after map: x + (y + map * edge) * edge
+    std::uint32_t texel_count = 0;  ///< of these
+    double texel_mm = 0.0;          ///< largest
+    int maps = 0;
+    /// For include/exit_maps.glsl.
+    void bind_cameras() const { glBindBufferBase(GL_UNIFORM_BUFFER, 1, cameras.name()); }
+};
+
+/// Which texels the camera's pixels look up, of each body by name: R8UI arrays as large as the maps, 1 in the middle of
+/// each 3 x 3.
+struct MapReads {
+    std::map<std::string, gl::Texture> of;
 };
 
 /// A body ready to be looked at.
@@ -48,6 +57,8 @@ struct SeenShade {
     glm::dmat4 body_from_model{1.0};  ///< of the model's own coordinates, metres
 };
 
+/// Uniforms of include/body_vertex.glsl and mesh.vert.
+void set_body(gl::Program& program, const glm::dmat3& body_from_model);
 /// Draws what each lamp sees, `size` texels along an edge; returns words for the frame graph's table.
 std::string draw_light_maps(LightMaps& out, gl::ShaderLibrary& shaders, const SeenBody& body,
                             const std::vector<SeenShade>& shades, const std::vector<BodyLamp>& lamps, double eta,

@@ -3,26 +3,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "base/log.h"
 #include "render/far_lamps.h"
-#include "render/passes/subsurface_entry.h"
 
 namespace bruma::render {
 namespace {
 
 constexpr double mm_per_m = 1e3, mm2_per_m2 = 1e6;
-
-/// Work groups of 64 texels.
-std::uint32_t groups_of(std::uint32_t texels) {
-    return (texels + 63) / 64;
-}
-
-double ms_since(std::chrono::steady_clock::time_point then) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - then).count();
-}
 
 }  // namespace
 
@@ -61,7 +50,7 @@ TranslucentPasses::~TranslucentPasses() {
 
 void TranslucentPasses::update(const scene::Mesh& mesh, const glm::dmat4& world_from_model,
                                const std::vector<Occluder>& occluders, const std::vector<scene::Light>& lights,
-                               glm::dvec3 camera_back_world, const PathGoal& goal) {
+                               glm::dvec3 camera_back_world, const PathGoal& goal, Handle<MapReads> map_reads) {
     graph_.set_source(shader_revision_, 0, shaders_.revision());
     const scene::SubsurfaceMedium medium = scene::medium_of(*mesh.surface);
     const scene::SubsurfaceSettings& settings = *mesh.subsurface;
@@ -99,8 +88,14 @@ void TranslucentPasses::update(const scene::Mesh& mesh, const glm::dmat4& world_
     const RadiosityMaps* const standing = graph_.product(shown_.radiosity);
     turn_ += standing != nullptr && !settled() && standing->passes < goal.samples ? 1 : 0;
     graph_.set_parameters(gather_, turn_);
-    graph_.set_execute(gather_,
-                       [this, shown = shown_, goal](const PassAccess& access) { gather(access, shown, goal); });
+    std::vector<int> gathered{shown_.light.index, shown_.exits.index, start_.index, shader_revision_.index};
+    const Handle<MapReads> read = needs_reads(settings) ? map_reads : Handle<MapReads>{};
+    if (read.index >= 0) {
+        gathered.push_back(read.index);
+    }
+    graph_.set_reads(gather_, gathered);
+    graph_.set_execute(
+        gather_, [this, shown = shown_, read, goal](const PassAccess& access) { gather(access, shown, read, goal); });
 }
 
 SeenBody TranslucentPasses::body(const PassAccess& access, const glm::dmat3& body_from_model) const {
@@ -121,60 +116,18 @@ void TranslucentPasses::look_from_around(const PassAccess& access, const ExitPar
                                parameters.maps, parameters.size));
 }
 
-double TranslucentPasses::measure_noise(const RadiosityMaps& radiosity, const ExitMaps& exits) const {
-    const std::uint32_t groups = groups_of(exits.first.back());
-    std::vector<glm::vec4> sums(std::max(1U, groups));
-    const gl::Buffer buffer("noise of radiosity", std::span<const glm::vec4>(sums));
-    gl::Program& program = shaders_.get("radiosity_noise.comp");
-    glBindImageTexture(0, radiosity.mean.name(), 0, GL_TRUE, 0, GL_READ_ONLY, GL_RGBA32F);
-    exits.depth.bind(0);
-    program.set("exit_depth", 0);
-    program.set("passes", float(radiosity.passes));
-    program.set("texel_count", exits.first.back());
-    program.set("edge", unsigned(radiosity.mean.size().x));
-    program.set("rows", unsigned(radiosity.mean.size().y));
-    buffer.bind_storage(4);
-    exits.texels.bind_storage(5);
-    for (int map = 1; map <= 32; ++map) {
-        program.set_at("first", map, "", exits.first[std::size_t(std::min(map, exits.maps()))]);
-    }
-    // The first turn tells how bright the body is on the whole, the second what is noise.
-    double texels = 0.0, mean = 0.0, squares = 0.0;
-    for (int turn = 0; turn < 2; ++turn) {
-        program.set("least", float(0.05 * mean));
-        program.use();
-        glDispatchCompute(groups, 1, 1);
-        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-        buffer.read(std::span<glm::vec4>(sums));
-        texels = mean = squares = 0.0;
-        for (const glm::vec4& sum : sums) {
-            squares += double(sum.x);
-            mean += double(sum.y);
-            texels += double(sum.z);
-        }
-        mean /= std::max(1.0, texels);
-    }
-    return std::sqrt(squares / std::max(1.0, texels));
-}
-
-void TranslucentPasses::gather(const PassAccess& access, const Shown& shown, const PathGoal& goal) {
+void TranslucentPasses::gather(const PassAccess& access, const Shown& shown, Handle<MapReads> reads,
+                               const PathGoal& goal) {
     const LightMaps& light = access.read(shown.light);
     const ExitMaps& exits = access.read(shown.exits);
     RadiosityMaps& out = access.write(shown.radiosity);
     const Revision start = access.read(start_).revision;
     if (out.start != start) {
-        if (!out.mean || out.mean.size() != exits.depth.size()) {
-            out.mean = gl::Texture::make_2d_array("radiosity", GL_RGBA32F, exits.depth.size());
-        }
-        out.passes = 0;
-        out.next_map = 0;
-        out.evaluations = 0;
-        out.noise = 1e30;
-        out.start = start;
+        begin_radiosity(out, exits, start);
     }
-    const int samples = int(shown.settings.samples);
-    if (exits.maps() == 0) {
+    if (exits.maps == 0) {
         // Pixels draw their points themselves. One point's scatter is about as large as their mean.
+        const int samples = int(shown.settings.samples);
         const double enough = std::ceil(1.0 / (std::max(1e-12, std::pow(shown.settings.noise, 2.0)) * samples));
         out.passes = std::max(out.passes, int(std::min(enough, double(goal.samples))));
         out.noise = 1.0 / std::sqrt(double(out.passes) * samples);
@@ -191,59 +144,9 @@ void TranslucentPasses::gather(const PassAccess& access, const Shown& shown, con
             "subsurface.light_map_size is truer beside shadow borders",
             node_name_, light.coarsest_texel_mm, shortest_mm);
     }
-    gl::Program& program = shaders_.get("radiosity.comp", entry_defines(light, shown.settings));
-    gl::Buffer lamps;
-    set_entry(program, light, shown.constants, shown.powers, 2, lamps);
-    exits.cameras.bind_storage(1);
-    exits.depth.bind(0);
-    program.set("exit_depth", 0);
-    exits.normals.bind(1);
-    program.set("exit_normals", 1);
-    glBindImageTexture(0, out.mean.name(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_RGBA32F);
-    program.set("edge", unsigned(exits.depth.size().x));
-    exits.texels.bind_storage(5);
-    const auto began = std::chrono::steady_clock::now();
-    while (out.passes < goal.samples && out.noise > shown.settings.noise) {
-        set_entry_points(program, std::uint64_t(out.passes) * std::uint64_t(samples), samples);
-        program.set("passes_before", out.passes);
-        program.use();
-        bool out_of_time = false;
-        while (out.next_map < exits.maps() && !out_of_time) {
-            const std::uint32_t first = exits.first[std::size_t(out.next_map)];
-            const std::uint32_t past = exits.first[std::size_t(out.next_map) + 1];
-            program.set("map_number", out.next_map);
-            program.set("first_texel", first);
-            program.set("past_texel", past);
-            glDispatchCompute(groups_of(past - first), 1, 1);
-            out.evaluations += std::uint64_t(past - first) * std::uint64_t(samples) * light.lamps.size();
-            ++out.next_map;
-            if (goal.budget_ms > 0.0) {
-                glFinish();
-                // The first picture of all is worth any wait.
-                out_of_time = out.passes > 0 && ms_since(began) >= goal.budget_ms;
-            } else {
-                glFlush();  // each map a job of its own, that no driver's watchdog takes for a hang
-            }
-        }
-        if (out.next_map < exits.maps()) {
-            break;
-        }
-        out.next_map = 0;
-        ++out.passes;
-        glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-        // Looked at when there are a quarter more.
-        if (out.passes >= 2 && (out.passes < 4 || out.passes % std::max(1, out.passes / 4) == 0)) {
-            out.noise = measure_noise(out, exits);
-            glBindImageTexture(0, out.mean.name(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_RGBA32F);
-        }
-        if (goal.budget_ms > 0.0 && ms_since(began) >= goal.budget_ms) {
-            break;
-        }
-    }
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    const std::string noise = out.noise < 1e29 ? fmt::format("{:.2g} %", 100.0 * out.noise) : "unknown";
-    access.note(fmt::format("{} passes of {} points from {} lamp{}, noise {}", out.passes, samples, light.lamps.size(),
-                            light.lamps.size() == 1 ? "" : "s", noise));
+    const gl::Texture* const read = reads.index >= 0 ? &access.read(reads).of.at(node_name_) : nullptr;
+    access.note(
+        gather_radiosity(out, shaders_, {light, exits, read, shown.constants, shown.settings, shown.powers}, goal));
 }
 
 }  // namespace bruma::render

@@ -5,21 +5,10 @@
 #include "gl/shader_library.h"
 #include "render/body_frame.h"
 #include "render/passes/mesh_passes.h"
+#include "render/passes/radiosity_gather.h"
 #include "render/passes/translucent_maps.h"
-#include "render/path_goal.h"
-#include "render/subsurface_constants.h"
 
 namespace bruma::render {
-
-/// The light that leaves at each texel of the exit maps: a mean over passes.
-struct RadiosityMaps {
-    gl::Texture mean;               ///< RGBA32F array, see radiosity.comp
-    int passes = 0;                 ///< that every map has
-    int next_map = 0;               ///< maps below it have one more
-    std::uint64_t evaluations = 0;  ///< points of light that were drawn for them, each one evaluation of the BSSRDF
-    double noise = 1e30;  ///< standard error of what a picture shows, share of the local value; 1e30: not known yet
-    Revision start = 0;
-};
 
 /// The lamps' light inside one translucent body, none of it dependent on the camera unless a lamp is. Everything is in
 /// the body's own frame: a body that moves under parallel light reruns nothing.
@@ -36,9 +25,14 @@ class TranslucentPasses {
         Handle<MeshBuffers> buffers;
         glm::dmat4 world_from_model{1.0};
     };
-    /// Hands the graph this frame's parameters. `lights`: those that shine.
+    /// Hands the graph this frame's parameters. `lights`: those that shine. `reads`: which texels the camera looks up,
+    /// or empty, for light at all of them.
     void update(const scene::Mesh& mesh, const glm::dmat4& world_from_model, const std::vector<Occluder>& occluders,
-                const std::vector<scene::Light>& lights, glm::dvec3 camera_back_world, const PathGoal& goal);
+                const std::vector<scene::Light>& lights, glm::dvec3 camera_back_world, const PathGoal& goal,
+                Handle<MapReads> reads);
+    static bool needs_reads(const scene::SubsurfaceSettings& settings) {
+        return settings.maps > 0 && !settings.whole_maps;
+    }
 
     /// What a shader needs that shows or continues the result.
     struct Shown {
@@ -53,7 +47,10 @@ class TranslucentPasses {
     const Shown& shown() const { return shown_; }
     /// Null before the first picture.
     const RadiosityMaps* standing() const { return graph_.product(shown_.radiosity); }
-    bool settled() const { return standing() != nullptr && standing()->noise <= shown_.settings.noise; }
+    bool settled() const {
+        return standing() != nullptr && (standing()->noise <= shown_.settings.noise ||
+                                         (shown_.settings.maps > 0 && standing()->read_texels == 0));
+    }
 
   private:
     struct Shade {
@@ -88,8 +85,7 @@ class TranslucentPasses {
     SeenBody body(const PassAccess& access, const glm::dmat3& body_from_model) const;
     void look_from_lamps(const PassAccess& access, const LightParameters& parameters);
     void look_from_around(const PassAccess& access, const ExitParameters& parameters);
-    void gather(const PassAccess& access, const Shown& shown, const PathGoal& goal);
-    double measure_noise(const RadiosityMaps& radiosity, const ExitMaps& exits) const;
+    void gather(const PassAccess& access, const Shown& shown, Handle<MapReads> reads, const PathGoal& goal);
 
     FrameGraph& graph_;
     gl::ShaderLibrary& shaders_;
