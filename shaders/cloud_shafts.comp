@@ -13,6 +13,7 @@ vec2 cell_centre = vec2(0.0);
 #include "include/shafts.glsl"
 
 layout(rgba16f, binding = 0) writeonly uniform image3D missing;
+layout(rgba16f, binding = 1) writeonly uniform image3D missing_share;  // of all the air's light up to there
 uniform mat3 world_from_camera;
 uniform float eye_altitude;
 uniform vec3 to_sun;
@@ -34,6 +35,24 @@ float shaded(vec3 start, vec3 direction, float low, float high)
     return sum / float(samples);
 }
 
+// What a segment of air adds to a ray under the whole sun: light scattered once, and more often; and what it lets through.
+struct Glow {
+    vec3 once;
+    vec3 more;
+    vec3 transmittance;
+};
+
+Glow glow_at(vec3 middle, float segment, float rayleigh_phase, float haze_phase)
+{
+    float altitude = clamp(altitude_above(middle), 0.0, air.height);
+    float sun_climb = dot(up_at(middle), to_sun);
+    AirPoint point = air_at(altitude);
+    vec3 weight = segment_weight(point.extinction, segment);
+    return Glow(weight * (point.rayleigh * rayleigh_phase + point.mie * haze_phase) * sun_transmittance(altitude, sun_climb),
+                weight * (point.rayleigh + point.mie) * multiple_scattering(altitude, sun_climb),
+                exp(-segment * point.extinction));
+}
+
 void main()
 {
     ivec3 size = imageSize(missing);
@@ -50,33 +69,32 @@ void main()
     float rayleigh = rayleigh_phase(mu);
     float haze = mie_phase(mu, air.mie_g);
 
-    // Far above the clouds air only dims.
     vec3 passed = vec3(1.0);
+    vec3 all = vec3(0.0);
+    // Far above the clouds nothing is missing.
     int clear_parts = int(clamp(shafts.first / 1500.0, 0.0, 64.0));
     for (int n = 0; n < clear_parts; ++n) {
         float part = shafts.first / float(clear_parts);
-        passed *= exp(-part * air_at(max(altitude_above(start + (float(n) + 0.5) * part * direction), 0.0)).extinction);
+        Glow glow = glow_at(start + (float(n) + 0.5) * part * direction, part, rayleigh, haze);
+        all += passed * (glow.once + glow.more);
+        passed *= glow.transmittance;
     }
     vec3 sum = vec3(0.0);
     float low = shaft_distance(0.0);
     imageStore(missing, ivec3(column, 0), vec4(0.0));
+    imageStore(missing_share, ivec3(column, 0), vec4(0.0));
     for (int k = 1; k < size.z; ++k) {
         float high = shaft_distance(float(k) / float(size.z - 1));
+        Glow glow = glow_at(start + 0.5 * (low + high) * direction, high - low, rayleigh, haze);
         float begin = max(low, below.x);
         float end = min(high, below.y);
-        if (low < below.y) {
-            vec3 middle = start + 0.5 * (low + high) * direction;
-            float altitude = clamp(altitude_above(middle), 0.0, air.height);
-            AirPoint point = air_at(altitude);
-            float share = end > begin ? shaded(start, direction, begin, end) * (end - begin) / (high - low) : 0.0;
-            if (share > 0.0) {
-                vec3 sun = sun_transmittance(altitude, dot(up_at(middle), to_sun));
-                sum += passed * segment_weight(point.extinction, high - low) * share *
-                       (point.rayleigh * rayleigh + point.mie * haze) * sun;
-            }
-            passed *= exp(-(high - low) * point.extinction);
+        if (end > begin) {
+            sum += passed * glow.once * shaded(start, direction, begin, end) * (end - begin) / (high - low);
         }
+        all += passed * (glow.once + glow.more);
+        passed *= glow.transmittance;
         imageStore(missing, ivec3(column, k), vec4(sum, 0.0));
+        imageStore(missing_share, ivec3(column, k), vec4(sum / max(all, 1e-20), 0.0));
         low = high;
     }
 }

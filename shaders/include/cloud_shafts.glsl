@@ -2,6 +2,7 @@
 // where each of them is. Needs view_ray.glsl, and opaque.glsl where there are surfaces.
 #include "include/shafts.glsl"
 uniform sampler3D shafts_missing;    // light missing up to a distance, per irradiance of the sun
+uniform sampler3D shafts_share;      // the same as a share of all light that the air would have up to there
 uniform vec3 shafts_sun;             // irradiance above the air
 uniform vec2 shafts_from_pixels;     // texture coordinates per pixel
 uniform float shafts_background;     // 1: the background has this air before it, 0: a sky without
@@ -11,11 +12,14 @@ uniform float shafts_planet_radius;  // m
 uniform vec2 shafts_surface;         // metres = x times the distance of surfaces, plus y
 #endif
 
-vec3 missing_light(float distance)
+// Of light `from` a way through the air, `air` of which is that air's. Under a low sun all but a hundredth of the air's
+// light may be missing, and the difference of two tables would be noise of any colour, or none of one: what is left then
+// is the right share of what is there.
+vec3 missing_light(vec3 from, float air, float distance)
 {
     float slices = float(textureSize(shafts_missing, 0).z);
     vec3 at = vec3(gl_FragCoord.xy * shafts_from_pixels, (shaft_coordinate(distance) * (slices - 1.0) + 0.5) / slices);
-    return shafts_sun * textureLod(shafts_missing, at, 0.0).xyz;
+    return min(air * shafts_sun * textureLod(shafts_missing, at, 0.0).xyz, textureLod(shafts_share, at, 0.0).xyz * from);
 }
 
 // Where the ray ends: at a surface, on the ground or never.

@@ -13,7 +13,7 @@ uniform float metres_per_step;
 vec4 with_clouds(vec4 matter, float matter_at, float end, vec4 behind)
 {
 #ifdef SHAFTS
-    behind.rgb -= min(behind.rgb, mix(shafts_background, 1.0, behind.a) * missing_light(end_of_ray(behind.a)));
+    behind.rgb -= missing_light(behind.rgb, mix(shafts_background, 1.0, behind.a), end_of_ray(behind.a));
 #endif
     vec4 parts[CLOUDS + 1];
     float at[CLOUDS + 1];
@@ -25,7 +25,7 @@ vec4 with_clouds(vec4 matter, float matter_at, float end, vec4 behind)
         float distance = texelFetch(cloud_distance[n], ivec2(gl_FragCoord.xy), 0).x;
         part = distance < end ? part : vec4(0.0, 0.0, 0.0, 1.0);
 #ifdef SHAFTS
-        part.rgb -= min(part.rgb, (1.0 - part.a) * missing_light(distance));
+        part.rgb -= missing_light(part.rgb, 1.0 - part.a, distance);
 #endif
         int place = n + 1;
         for (int k = n; k >= 0; --k) {

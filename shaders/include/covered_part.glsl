@@ -26,8 +26,8 @@ bool find_covered_part()
 }
 // What a triangle needs of a number that is meant for a whole pixel, at least 1.
 int covered_share_of(int number) { return (number * bitCount(gl_SampleMaskIn[0]) + SAMPLES - 1) / SAMPLES; }
-// Tells the triangles in a pixel apart.
-uint part_number() { return uint(gl_PrimitiveID) << 8; }
+// Tells the triangles in a pixel apart, whatever their order: by what they cover; 0 for all of it.
+uint part_number() { return uint(~gl_SampleMaskIn[0] & ((1 << SAMPLES) - 1)) << 8; }
 #define WITHIN(varying) (varying + covered_middle.x * dFdx(varying) + covered_middle.y * dFdy(varying))
 #else
 bool find_covered_part() { return true; }

@@ -27,6 +27,8 @@ void CloudShafts::set(gl::Program& program, const scene::Camera& camera, glm::iv
     const scene::CameraFrame frame = scene::camera_frame(camera);
     missing.bind(unit);
     program.set("shafts_missing", int(unit++));
+    missing_share.bind(unit);
+    program.set("shafts_share", int(unit++));
     program.set("shafts.first", float(first_m));
     program.set("shafts.near", float(near_m));
     program.set("shafts.growth", float(growth));
@@ -58,11 +60,12 @@ void CloudShaftsPass::update(const scene::Scene& scene, const CloudShadows& shad
     graph_.set_source(camera_, **scene.camera, scene.camera->revision());
     graph_.set_source(shader_revision_, 0, shaders_.revision());
     std::vector<int> reads{camera_.index, shader_revision_.index, air.transmittance.index};
+    if (air.multiple_scattering.index >= 0) {
+        reads.push_back(air.multiple_scattering.index);
+    }
     shadows.add_reads(reads);
-    AirTables once = air;  // light that is scattered again comes from beside the shadows, too
-    once.multiple_scattering = {};
     const Parameters parameters{pixels,  shadows,
-                                once,    sun_direction_world(scene),
+                                air,     sun_direction_world(scene),
                                 reach_m, scene.outdoors->sky->model == scene::SkyModel::atmosphere};
     graph_.set_reads(pass_, reads);
     graph_.set_parameters(pass_, parameters);
@@ -87,6 +90,7 @@ void CloudShaftsPass::draw(const PassAccess& access, const Parameters& parameter
     const glm::ivec3 size((parameters.pixels + out.cell - 1) / out.cell, slices);
     if (!out.missing || out.missing.size() != size) {
         out.missing = gl::Texture::make_3d("light missing in air", GL_RGBA16F, size);
+        out.missing_share = gl::Texture::make_3d("share of light missing in air", GL_RGBA16F, size);
     }
     gl::Defines defines;
     parameters.shadows.add_defines(defines);
@@ -108,6 +112,7 @@ void CloudShaftsPass::draw(const PassAccess& access, const Parameters& parameter
     parameters.shadows.set(access, program, camera.eye_world, 1.0, unit);
     program.use();
     glBindImageTexture(0, out.missing.name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA16F);
+    glBindImageTexture(1, out.missing_share.name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA16F);
     glDispatchCompute(GLuint((size.x + 7) / 8), GLuint((size.y + 7) / 8), 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
     access.note(fmt::format("{} x {} rays of {} steps", size.x, size.y, size.z - 1));

@@ -9,6 +9,7 @@ namespace bruma::render {
 /// distance, for irradiance 1 of the sun, as shaders/include/cloud_shafts.glsl looks it up.
 struct CloudShafts {
     gl::Texture missing;
+    gl::Texture missing_share;  ///< of all the air's light
     double first_m = 0.0;  ///< where a ray can first be below the clouds' top
     double near_m = 1.0;   ///< beyond it by this much its steps are twice as long
     double growth = 1.0;
@@ -17,7 +18,7 @@ struct CloudShafts {
     double planet_radius_m = 0.0;
     bool sky_has_air = true;  ///< the picture of the sky has this air, and is no sky for comparison
 
-    /// Everything but the shader's view, which it shares. Binds one texture at `unit`, which is moved.
+    /// Everything but the shader's view, which it shares. Binds two textures from `unit` on, which is moved.
     void set(gl::Program& program, const scene::Camera& camera, glm::ivec2 pixels, GLuint& unit) const;
 };
 
