@@ -12,6 +12,7 @@ namespace bruma::render {
 namespace {
 
 constexpr int edge = 112;  // pixels
+constexpr double noise = 0.05;
 
 class LongTranslucentPictures : public Drawing {
   protected:
@@ -26,8 +27,9 @@ class LongTranslucentPictures : public Drawing {
     }
 };
 
-/// The largest ratio of a pixel to the median of the eight around it, and the smallest, where all of them show the
-/// body: of the brightest channel, and of pixels above a hundredth of the brightest.
+/// By how much a pixel is brighter than the brightest of the eight around it at most, and darker than the darkest, as
+/// ratios, where all show the body: of the brightest channel, and of pixels among more than a hundredth of the
+/// brightest. Folds and shadows have neighbours like them; a spark and a pinhole stand alone.
 struct Outliers {
     double above = 1.0, below = 1.0;
 };
@@ -55,11 +57,10 @@ Outliers outliers(const Image& image) {
                     around.push_back(bright(x + n % 3 - 1, y + n / 3 - 1));
                 }
             }
-            std::sort(around.begin(), around.end());
-            const double median = 0.5 * (around[3] + around[4]);
-            if (inside && median > 0.01 * brightest) {
-                found.above = std::max(found.above, bright(x, y) / median);
-                found.below = std::min(found.below, bright(x, y) / median);
+            const auto [darkest, lightest] = std::minmax_element(around.begin(), around.end());
+            if (inside && *darkest > 0.01 * brightest) {
+                found.above = std::max(found.above, bright(x, y) / *lightest);
+                found.below = std::min(found.below, bright(x, y) / *darkest);
             }
         }
     }
@@ -107,7 +108,7 @@ TEST_F(LongTranslucentPictures, HaveNoHolesNoFirefliesAndNoCracks) {
                 settings = {};
                 settings.map_size = 128;
                 settings.light_map_size = 512;
-                settings.noise = 0.03;
+                settings.noise = noise;
                 settings.highlight = false;
             });
             scene.lights["key"] = scene::Light{
@@ -140,7 +141,7 @@ TEST_F(LongTranslucentPictures, HaveNoHolesNoFirefliesAndNoCracks) {
                 for (std::size_t n = 3; n < image.rgba.size(); n += 4) {
                     ASSERT_EQ(image.rgba[n], outline.rgba[n]) << what << ": a hole";
                 }
-                EXPECT_LE(renderer.translucent_standing()->noise, 0.03) << what;
+                EXPECT_LE(renderer.translucent_standing()->noise, noise) << what;
                 const Outliers found = outliers(image);
                 worst.above = std::max(worst.above, found.above);
                 worst.below = std::min(worst.below, found.below);
@@ -149,8 +150,8 @@ TEST_F(LongTranslucentPictures, HaveNoHolesNoFirefliesAndNoCracks) {
         }
         keep(sheet, std::string("translucent-") + (behind ? "behind" : "front") + ".png");
     }
-    report("brightest pixel over the median around it", worst.above);
-    report("darkest pixel over the median around it", worst.below);
+    report("brightest pixel over all around it", worst.above);
+    report("darkest pixel under all around it", worst.below);
 }
 
 }  // namespace

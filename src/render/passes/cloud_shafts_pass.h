@@ -10,8 +10,8 @@ namespace bruma::render {
 struct CloudShafts {
     gl::Texture missing;
     gl::Texture missing_share;  ///< of all the air's light
-    double first_m = 0.0;  ///< where a ray can first be below the clouds' top
-    double near_m = 1.0;   ///< beyond it by this much its steps are twice as long
+    double first_m = 0.0;       ///< where a ray can first be below the clouds' top
+    double near_m = 1.0;        ///< beyond it by this much its steps are twice as long
     double growth = 1.0;
     int cell = 1;  ///< edge in pixels
     glm::dvec3 sun_irradiance{0.0};
