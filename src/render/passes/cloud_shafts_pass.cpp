@@ -12,13 +12,14 @@
 namespace bruma::render {
 namespace {
 
-// Four pixels at 42 degrees over 288 are as wide as the grid of light's columns 10 km away; large pictures take no more
-// rays than these. Steps begin at 86 m and are as long as most clouds, 1 km, at 11 km.
-constexpr int smallest_cell = 4, most_cells = 256, slices = 64;
+// Rays along the picture's longer edge: at 42 degrees over 288 pixels of 512 they are as far apart as the grid of
+// light's columns 5 km away, and a pixel looks up its own distance, so that edges stay sharp. Steps begin at 86 m and
+// are as long as most clouds, 1 km, at 11 km.
+constexpr int rays_along = 80, slices = 64;
 constexpr double near_m = 1000.0, sample_m = 1000.0;
 
 int cell_of(glm::ivec2 pixels) {
-    return std::max(smallest_cell, (std::max(pixels.x, pixels.y) + most_cells - 1) / most_cells);
+    return (std::max(pixels.x, pixels.y) + rays_along - 1) / rays_along;
 }
 
 }  // namespace
