@@ -158,7 +158,7 @@ int bench_clouds(const BenchArguments& arguments, const std::vector<std::string>
         options.bias_pixels = {6, 3};
         options.paths = 8;
     }
-    options.say = [](const std::string& line) { fmt::print("{}\n", line); };
+    options.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
     measure::write_cloud_bench(measure::run_cloud_bench(options), arguments.output);
     fmt::print("times are numbers of this machine; written: {}\n",
                (std::filesystem::path(arguments.output) / "clouds.html").string());
