@@ -92,6 +92,8 @@ class MarchPass {
 
     void draw(const PassAccess& access, const Parameters& parameters, bool counting);
     gl::Program& program(const PassAccess& access, const Parameters& parameters, bool counting);
+    /// Whether the volume's surfaces are shaded by the gradient of its data.
+    static bool reflects(const scene::VolumeOptics& optics);
     void bind_light(const PassAccess& access, gl::Program& program, const Parameters& parameters, int index,
                     GLuint& unit) const;
     void bind_volume(const PassAccess& access, gl::Program& program, const Parameters& parameters, int index,
