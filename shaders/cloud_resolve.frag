@@ -1,7 +1,7 @@
 #version 450 core
 // A whole picture of clouds from the sixteenth of its pixels that was marched now and from the last picture, which is
-// taken from where each cloud was then, rejected where it saw something else, and held to what is seen around now:
-// radiance and transmittance together, since either alone leaves ghosts.
+// taken from where each cloud was then and held to what is seen around now: radiance and transmittance together, since
+// either alone leaves ghosts. Where it saw something else, or nothing, the pixel is left to be marched: its depth is 1.
 #include "include/cloud_history.glsl"
 #include "include/view_ray.glsl"
 
@@ -71,7 +71,8 @@ void main()
     if (kept_spread == 0.0) {
         uv = gl_FragCoord.xy / pixels;
     }
-    float last_at = textureLod(last_distance, uv, 0.0).x;
+    // Not between pixels: halfway from a cloud to none (0) is no distance, and its pixels would all be marched.
+    float last_at = texelFetch(last_distance, clamp(ivec2(uv * pixels), ivec2(0), ivec2(pixels) - 1), 0).x;
     bool seen = all(greaterThanEqual(uv, vec2(0.0))) && all(lessThanEqual(uv, vec2(1.0))) &&
                 (orthographic != 0 || then.z < 0.0);
     bool same = distance == 0.0 || last_at == 0.0 || max(last_at, distance) < 3.0 * min(last_at, distance);
@@ -84,8 +85,9 @@ void main()
         vec4 share = abs(apart) / around;
         float most = max(max(share.x, share.y), max(share.z, share.w));
         history = from_luma_chroma(mean + apart / max(most, 1.0));
+        same = same && most < 1.5;  // near enough to be held back, or else another thing
     }
-    vec4 kept = kept_spread == 0.0 || (seen && same) ? history : max(from_luma_chroma(mean), vec4(0.0));
-    clouds = is_fresh ? fresh : vec4(max(kept.rgb, vec3(0.0)), clamp(kept.a, 0.0, 1.0));
+    clouds = is_fresh ? fresh : vec4(max(history.rgb, vec3(0.0)), clamp(history.a, 0.0, 1.0));
+    gl_FragDepth = is_fresh || kept_spread == 0.0 || (seen && same) ? 0.0 : 1.0;
     mean_distance = is_fresh ? fresh_at : kept_spread == 0.0 ? texelFetch(last_distance, pixel, 0).x : distance;
 }

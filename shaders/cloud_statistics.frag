@@ -15,6 +15,8 @@ void main()
     ivec2 last = textureSize(fresh_radiance, 0) - 1;
     vec4 sum = vec4(0.0);
     vec4 squares = vec4(0.0);
+    vec4 low = vec4(1e30);
+    vec4 high = vec4(-1e30);
     vec2 distances = vec2(0.0);
     for (int n = 0; n < 9; ++n) {
         ivec2 at = clamp(ivec2(gl_FragCoord.xy) + ivec2(n % 3 - 1, n / 3 - 1), ivec2(0), last);
@@ -22,9 +24,13 @@ void main()
         float distance = texelFetch(fresh_distance, at, 0).x;
         sum += clouds;
         squares += clouds * clouds;
+        low = min(low, clouds);
+        high = max(high, clouds);
         distances += distance > 0.0 ? vec2(distance, 1.0) : vec2(0.0);
     }
     mean = sum / 9.0;
-    spread = sqrt(max(squares / 9.0 - mean * mean, vec4(0.0)));
+    vec4 deviation = sqrt(max(squares / 9.0 - mean * mean, vec4(0.0)));
+    // No less than what is there: across an edge a third of the samples is 1.4 deviations from their mean.
+    spread = max(1.25 * deviation, max(high - mean, mean - low));
     mean_distance = distances.y > 0.0 ? distances.x / distances.y : 0.0;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/error.h"
 #include "base/installation.h"
 #include "reference/render_clouds.h"
 #include "render/renderer.h"
@@ -132,7 +133,8 @@ CloudPan pan_of(gl::ShaderLibrary& shaders, scene::Scene scene, const CloudBench
     pan.full_ms = whole.ms;
     pan.full_cpu_ms = whole.cpu_ms;
     scene::Scene sparse = scene;
-    clouds_in(sparse).march.edit([](scene::CloudMarch& march) { march.reprojection = true; });
+    clouds_in(sparse).march.edit(
+        [](scene::CloudMarch& march) { march.reprojection = scene::CloudReprojection::always; });
     reprojected.render(sparse, view);
     std::vector<double> wall, cpu;
     for (int frame = 0; frame < 32; ++frame) {
@@ -178,6 +180,11 @@ void say_costs(const CloudBench& bench) {
     }
 }
 
+/// Whether whole words of a name are those: 'cumulus' is not stratocumulus.
+bool is_wanted(const std::string& name, const std::string& words) {
+    return (" " + name + " ").find(words.empty() ? "" : " " + words + " ") != std::string::npos;
+}
+
 }  // namespace
 
 scene::Scene cloud_view(scene::CloudType type, const std::string& view) {
@@ -197,17 +204,18 @@ scene::Scene cloud_view(scene::CloudType type, const std::string& view) {
 CloudBench run_cloud_bench(const CloudBenchOptions& options) {
     CloudBench bench{describe_machine(), options, {}};
     gl::ShaderLibrary shaders(installed_folder("shaders"));
-    const std::vector<std::string> views =
-        options.quick ? std::vector<std::string>{"below"} : std::vector<std::string>{"below", "inside", "above"};
+    const std::vector<std::string> views = options.quick && options.only.empty()
+                                               ? std::vector<std::string>{"below"}
+                                               : std::vector<std::string>{"below", "inside", "above"};
     for (const scene::CloudType type :
          {scene::CloudType::cumulus, scene::CloudType::stratocumulus, scene::CloudType::stratus}) {
         for (const std::string& view : views) {
             CloudBenchScene result{
                 std::string(scene::enum_words<scene::CloudType>()[std::size_t(type)]), view, 0.0, {}, {}};
-            if (fmt::format("{} {}", result.preset, view).find(options.only) == std::string::npos) {
+            if (!is_wanted(fmt::format("{} {}", result.preset, view), options.only)) {
                 continue;
             }
-            const scene::Scene scene = cloud_view(type, view);
+            const scene::Scene scene = options.change ? options.change(cloud_view(type, view)) : cloud_view(type, view);
             const auto start = std::chrono::steady_clock::now();
             reference::CloudImageOptions exact;
             exact.fixed_step_m = options.quick ? 24.0 : 8.0;
@@ -233,7 +241,15 @@ CloudBench run_cloud_bench(const CloudBenchOptions& options) {
                 options.say(fmt::format("{} {}: {}", result.preset, result.view, finding_bias(result)));
             }
             bench.scenes.push_back(std::move(result));
+            if (options.keep) {
+                options.keep(bench);
+            }
         }
+    }
+    if (bench.scenes.empty()) {
+        throw InputError(fmt::format(
+            "--only '{}': no such view; there are cumulus, stratocumulus and stratus, each below, inside and above",
+            options.only));
     }
     if (options.say) {
         say_costs(bench);

@@ -19,9 +19,11 @@ struct CloudBenchOptions {
     glm::ivec2 bias_pixels{16, 9};  ///< of the pictures by random paths
     int repeats = 3;
     std::uint32_t paths = 64;  ///< for each pixel, to judge the model of light by; 0: it is not judged
-    std::string only;          ///< views whose 'PRESET VIEW' holds this; empty: all
-    bool quick = false;        ///< one view, and the usual settings with and without each technique
+    std::string only;          ///< views whose 'PRESET VIEW' holds these words; empty: all
+    bool quick = false;        ///< from below, if `only` names nothing, and no other steps
     std::function<void(const std::string&)> say = {};
+    std::function<scene::Scene(const scene::Scene&)> change = {};  ///< what is to be different in every scene
+    std::function<void(const struct CloudBench&)> keep = {};       ///< told after each view what there is so far
 };
 
 /// Of some pixels of a picture, in linear light of display range 1: what is brighter counts as 1.
@@ -79,6 +81,7 @@ struct CloudBench {
 /// A preset seen from below, from inside or from above the layer.
 scene::Scene cloud_view(scene::CloudType type, const std::string& view);
 
+/// Throws InputError when `only` names no view.
 CloudBench run_cloud_bench(const CloudBenchOptions& options);
 /// clouds.csv, clouds.json and clouds.html.
 void write_cloud_bench(const CloudBench& bench, const std::filesystem::path& folder);

@@ -88,7 +88,7 @@ void stress_cloud_history(StressRig& rig, int frames) {
             clouds_in(presets.back()).march.edit([](scene::CloudMarch& march) {
                 march.grid_columns = 32;
                 march.grid_slices = 12;
-                march.reprojection = true;
+                march.reprojection = scene::CloudReprojection::always;
             });
         }
         Random random;

@@ -32,12 +32,17 @@ void make_targets(CloudPicture& picture, glm::ivec2 pixels) {
         picture.radiance = gl::Texture::make_2d("cloud radiance", GL_RGBA32F, pixels);
         picture.distance = gl::Texture::make_2d("cloud distance", GL_R32F, pixels);
         picture.framebuffer = gl::Framebuffer("clouds", {&picture.radiance, &picture.distance});
+        picture.resolved = {};
+        picture.missing = {};
     }
 }
 
 glm::ivec2 CloudHistory::offset() const {
     static constexpr auto order = bayer_order();
-    return order[std::size_t(turn_ % turns)];
+    // Another start in every round of turns: what moves by whole pixels a frame would otherwise meet the same places
+    // again and again, and never be marched at others.
+    const int round = turn_ / turns;
+    return (order[std::size_t(turn_ % turns)] + order[std::size_t(round * 7 % turns)]) % 4;
 }
 
 CloudPicture& CloudHistory::sparse(glm::ivec2 pixels) {
@@ -50,7 +55,14 @@ void CloudHistory::begin(const CloudSight& sight) {
     turn_ = missing_ = 0;
 }
 
-void CloudHistory::resolve(gl::ShaderLibrary& shaders, const CloudSight& sight, CloudPicture& picture) {
+void CloudHistory::look(const CloudSight& sight) {
+    last_sight_ = std::exchange(sight_, sight);
+    if (sight_ == last_sight_ && missing_ == turns) {
+        turn_ = (turn_ + turns - 1) / turns * turns;  // the turns of one round see every pixel
+    }
+}
+
+bool CloudHistory::resolve(gl::ShaderLibrary& shaders, CloudPicture& picture) {
     const glm::ivec2 pixels(picture.radiance.size());
     const glm::ivec2 few = sparse_size(pixels);
     if (!statistics_.mean || glm::ivec2(statistics_.mean.size()) != few) {
@@ -63,6 +75,10 @@ void CloudHistory::resolve(gl::ShaderLibrary& shaders, const CloudSight& sight, 
     }
     make_targets(last_, pixels);
     std::swap(last_, picture);
+    if (!picture.missing) {
+        picture.missing = gl::Texture::make_2d("clouds missing", GL_DEPTH_COMPONENT32F, pixels);
+        picture.resolved = gl::Framebuffer("clouds resolved", {&picture.radiance, &picture.distance}, &picture.missing);
+    }
 
     GLuint unit = 0;
     const auto bind = [&](gl::Program& program, const char* sampler, const gl::Texture& texture) {
@@ -75,7 +91,7 @@ void CloudHistory::resolve(gl::ShaderLibrary& shaders, const CloudSight& sight, 
     statistics_.framebuffer.bind();
     full_screen_.draw(count);
 
-    const bool moved = sight != sight_;
+    const bool moved = sight_ != last_sight_;
     gl::Program& program = shaders.get("cloud_resolve.frag");
     unit = 0;
     bind(program, "fresh_radiance", sparse_.radiance);
@@ -85,23 +101,22 @@ void CloudHistory::resolve(gl::ShaderLibrary& shaders, const CloudSight& sight, 
     bind(program, "fresh_mean_distance", statistics_.distance);
     bind(program, "last_radiance", last_.radiance);
     bind(program, "last_distance", last_.distance);
-    const scene::Camera& camera = sight.camera;
+    const scene::Camera& camera = sight_.camera;
     program.set("pixel_offset", offset());
     program.set("pixels", glm::vec2(pixels));
     program.set("orthographic", camera.projection == scene::Projection::orthographic ? 1 : 0);
     program.set("half_view", glm::vec2(half_view(camera, pixels, 1.0)));
     program.set("world_from_camera", world_from_camera(camera));
-    program.set("last_camera_from_world", glm::transpose(world_from_camera(sight_.camera)));
-    program.set("last_half_view", glm::vec2(half_view(sight_.camera, pixels, 1.0)));
-    program.set("moved",
-                glm::vec3((camera.eye_world - sight_.camera.eye_world) - (sight.drifted_m - sight_.drifted_m)));
-    program.set("kept_spread", moved ? 1.25F : 0.0F);
-    picture.framebuffer.bind();
-    full_screen_.draw(program);
+    program.set("last_camera_from_world", glm::transpose(world_from_camera(last_sight_.camera)));
+    program.set("last_half_view", glm::vec2(half_view(last_sight_.camera, pixels, 1.0)));
+    program.set("moved", glm::vec3(sight_.moved_m(last_sight_)));
+    program.set("kept_spread", moved ? 1.0F : 0.0F);
+    picture.resolved.bind();
+    full_screen_.draw_with_depth(program);
 
-    sight_ = sight;
     missing_ = moved ? turns : std::max(0, missing_ - 1);
     ++turn_;
+    return moved;
 }
 
 }  // namespace bruma::render

@@ -11,6 +11,9 @@ struct CloudPicture {
     gl::Texture radiance;  ///< linear, added; alpha: transmittance
     gl::Texture distance;  ///< mean along the ray, metres, weighted by what each part hides; 0: nothing is hidden
     gl::Framebuffer framebuffer;
+    gl::Texture
+        missing;  ///< depth of a picture from history: 1 where that cannot tell, and the pixel has to be marched
+    gl::Framebuffer resolved;
 };
 void make_targets(CloudPicture& picture, glm::ivec2 pixels);
 
@@ -19,6 +22,13 @@ struct CloudSight {
     scene::Camera camera;
     glm::dvec3 drifted_m{0.0};  ///< how far the wind has carried the clouds
     bool operator==(const CloudSight&) const = default;
+    /// Whether a picture seen from `last` says much about one from here: clouds went by less than this.
+    static constexpr double farthest_m = 100.0;
+    bool is_near(const CloudSight& last) const { return glm::length(moved_m(last)) < farthest_m; }
+    /// How the eye has moved among the clouds since then.
+    glm::dvec3 moved_m(const CloudSight& last) const {
+        return (camera.eye_world - last.camera.eye_world) - (drifted_m - last.drifted_m);
+    }
 };
 
 /// Makes whole pictures of clouds from a sixteenth of their pixels and the last picture.
@@ -29,6 +39,9 @@ class CloudHistory {
 
     /// Size of the picture that holds the marched pixels.
     static glm::ivec2 sparse_size(glm::ivec2 pixels) { return (pixels + 3) / 4; }
+    bool is_near(const CloudSight& sight) const { return sight.is_near(sight_); }
+    /// Begins a turn that is seen from `sight`, near the last one.
+    void look(const CloudSight& sight);
     /// Which pixel of each four by four this turn marches: an order in which neighbours are far apart in time.
     glm::ivec2 offset() const;
     /// Where to march them.
@@ -36,8 +49,9 @@ class CloudHistory {
 
     /// A whole picture was marched from `sight`.
     void begin(const CloudSight& sight);
-    /// Fills `picture`, which holds the last one, from what was marched and from itself.
-    void resolve(gl::ShaderLibrary& shaders, const CloudSight& sight, CloudPicture& picture);
+    /// Fills `picture`, which holds the last one, from what was marched and from itself. True when the view has moved,
+    /// so that pixels may be missing.
+    bool resolve(gl::ShaderLibrary& shaders, CloudPicture& picture);
 
     /// Turns that are missing until the picture is as if all of it had been marched.
     int missing() const { return missing_; }
@@ -49,7 +63,7 @@ class CloudHistory {
         gl::Framebuffer framebuffer;
     } statistics_;
     gl::FullScreen full_screen_;
-    CloudSight sight_;
+    CloudSight sight_, last_sight_;
     int turn_ = 0;
     int missing_ = 0;
 };

@@ -57,7 +57,7 @@ CloudShadows Clouds::prepare(const scene::Scene& scene, const std::vector<std::s
 }
 
 std::vector<Handle<CloudPicture>> Clouds::update(const scene::Scene& scene, const std::vector<std::string>& shown,
-                                                 Surroundings around, glm::ivec2 pixels, double step_scale) {
+                                                 Surroundings around, const View& view) {
     if (around.sky.index >= 0) {
         forget_own_sky();
     } else {
@@ -72,8 +72,7 @@ std::vector<Handle<CloudPicture>> Clouds::update(const scene::Scene& scene, cons
         const scene::Clouds& clouds = clouds_in(scene, name);
         Layer& layer = *layers_.at(name);
         const Handle<CloudNoise> noise = noise_.at(clouds.layer->packing)->noise;
-        layer.march.update(scene, clouds, {layer.passes, noise, around.sky, around.opaque, around.air}, pixels,
-                           step_scale);
+        layer.march.update(scene, clouds, {layer.passes, noise, around.sky, around.opaque, around.air}, view);
         pictures.push_back(layer.march.picture);
     }
     return pictures;
@@ -129,6 +128,11 @@ int Clouds::missing_turns() const {
         most = std::max(most, layer->march.missing_turns());
     }
     return most;
+}
+
+bool Clouds::from_last() const {
+    return std::any_of(layers_.begin(), layers_.end(),
+                       [](const auto& layer) { return layer.second->march.from_last(); });
 }
 
 std::vector<Handle<CloudPicture>> Clouds::pictures() const {

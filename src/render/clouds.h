@@ -7,6 +7,7 @@
 #include "render/cloud_shadows.h"
 #include "render/passes/cloud_march_pass.h"
 #include "render/passes/cloud_shafts_pass.h"
+#include "render/view.h"
 
 namespace bruma::render {
 
@@ -26,7 +27,7 @@ class Clouds {
     };
     /// Hands the graph the rest; returns the picture of each layer of the last `prepare`.
     std::vector<Handle<CloudPicture>> update(const scene::Scene& scene, const std::vector<std::string>& shown,
-                                             Surroundings around, glm::ivec2 pixels, double step_scale);
+                                             Surroundings around, const View& view);
     /// What the air misses in their shadows; an empty handle indoors, and where that is not asked for.
     Handle<CloudShafts> update_shafts(const scene::Scene& scene, const std::vector<std::string>& shown,
                                       const CloudShadows& shadows, const std::optional<AirTables>& air,
@@ -34,6 +35,8 @@ class Clouds {
     void remove();
     /// With reprojection: turns that are missing until the picture is as if all of it had been marched.
     int missing_turns() const;
+    /// Whether the last picture of a layer was made from the one before it.
+    bool from_last() const;
     /// The picture of each layer of the last update.
     std::vector<Handle<CloudPicture>> pictures() const;
     /// The counting march of each layer of the last update.

@@ -229,7 +229,7 @@ std::vector<Handle<CloudPicture>> Renderer::update_clouds(const scene::Scene& sc
         around.sky = sky_->light;
         around.air = sky_->air(*scene.outdoors);
     }
-    return clouds_->update(scene, scene::shown_clouds(scene), around, view.pixels, view.step_scale);
+    return clouds_->update(scene, scene::shown_clouds(scene), around, view);
 }
 
 void Renderer::update_lights(const scene::Scene& scene, const std::vector<std::string>& shown, double step_world) {

@@ -64,6 +64,8 @@ class Renderer {
 
     /// Clouds with reprojection: pictures to be drawn until a still one is as if all of it had been marched.
     int missing_cloud_turns() const { return clouds_ ? clouds_->missing_turns() : 0; }
+    /// Whether clouds of the last picture were made from those of the one before it.
+    bool clouds_from_last() const { return clouds_ && clouds_->from_last(); }
     /// What each layer of clouds adds to the last picture, still on the GPU.
     std::vector<const CloudPicture*> cloud_pictures() const;
     /// Lookups of the clouds' march, all layers together, by drawing it once more.

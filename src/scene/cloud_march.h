@@ -14,6 +14,14 @@ inline std::span<const std::string_view> enum_words<CloudSunPath>() {
     return words;
 }
 
+/// Where pictures of clouds take most of their pixels from the last one.
+enum class CloudReprojection { in_window, always, never };
+template <>
+inline std::span<const std::string_view> enum_words<CloudReprojection>() {
+    static constexpr std::array<std::string_view, 3> words{"in_window", "always", "never"};
+    return words;
+}
+
 /// What a picture of clouds costs and how exact it is. No switch changes what is drawn beyond its error.
 struct CloudMarch {
     double step_m = 30.0;        ///< shortest segment near the eye
@@ -29,7 +37,7 @@ struct CloudMarch {
     std::int64_t grid_columns = 384;  ///< of the grid, along both edges of the weather map
     std::int64_t grid_slices = 48;
     Jitter jitter = Jitter::off;  ///< steps are short enough for no bands; noise would be grain
-    bool reprojection = false;
+    CloudReprojection reprojection = CloudReprojection::in_window;
     double reach_m = 200e3;
     bool operator==(const CloudMarch&) const = default;
 };
@@ -99,7 +107,9 @@ void visit_fields(Self& march, Visitor&& visit) {
     visit(Field{.name = "jitter", .sentence = "place of the samples inside their segments: the middle, or noise"},
           march.jitter);
     visit(Field{.name = "reprojection",
-                .sentence = "march a sixteenth of the pixels of each picture and take the others from the last ones"},
+                .sentence =
+                    "march a sixteenth of the pixels and take the others from the last picture: where it moves in "
+                    "a window, in every series of pictures, or nowhere"},
           march.reprojection);
     visit(Field{.name = "reach",
                 .unit = "m",

@@ -42,6 +42,15 @@ TEST(Quality, StepsGrowOnlyWhenPixelsAreAtTheirFewest) {
     EXPECT_EQ(quality.moving({800, 600}).step_scale, 4.0);
 }
 
+TEST(Quality, CloudsFromTheLastPictureAreCounted) {
+    QualityController quality;
+    quality.measured({{800, 600}, 1.0}, 300.0, 0.0);
+    EXPECT_EQ(quality.moving({800, 600}, true), QualityController::refined({800, 600}));  // a fifth is thought
+    quality.measured({{800, 600}, 1.0}, 200.0, 0.0, true);
+    EXPECT_LT(pixels_of(quality.moving({800, 600}, true)), 800.0 * 600.0);
+    EXPECT_DOUBLE_EQ(quality.refined_ms({800, 600}), 300.0);  // and whole ones cost what they did
+}
+
 TEST(Quality, OtherPassesTakeTheirShare) {
     QualityController quality;
     quality.measured({{800, 600}, 1.0}, 200.0, 0.0);

@@ -9,6 +9,7 @@
 #include "app/verbs/verbs.h"
 #include "base/error.h"
 #include "io/atomic_file.h"
+#include "io/open.h"
 #include "io/picture_file.h"
 #include "measure/bench_clouds.h"
 #include "measure/bench_findings.h"
@@ -143,10 +144,6 @@ int bench_mesh(const BenchArguments& arguments, const std::vector<std::string>& 
 
 int bench_clouds(const BenchArguments& arguments, const std::vector<std::string>& command_line) {
     io::require_writable_folder(arguments.output);
-    if (!arguments.scene.files.empty()) {
-        throw InputError(fmt::format("{}: the suite of clouds draws the built-in genera only; name no files",
-                                     arguments.scene.files.front()));
-    }
     measure::CloudBenchOptions options;
     options.pixels = arguments.scene.pixels();
     const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
@@ -159,6 +156,10 @@ int bench_clouds(const BenchArguments& arguments, const std::vector<std::string>
         options.paths = 8;
     }
     options.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+    options.change = [&](const scene::Scene& scene) {
+        return io::with_settings(scene, arguments.scene.settings, {}, preset_folders());
+    };
+    options.keep = [&](const measure::CloudBench& bench) { measure::write_cloud_bench(bench, arguments.output); };
     measure::write_cloud_bench(measure::run_cloud_bench(options), arguments.output);
     fmt::print("times are numbers of this machine; written: {}\n",
                (std::filesystem::path(arguments.output) / "clouds.html").string());
@@ -209,10 +210,12 @@ int bench_frames(const BenchArguments& arguments, const std::vector<std::string>
 
 Verb declare_bench(CLI::App& app, const std::vector<std::string>& command_line) {
     auto arguments = std::make_shared<BenchArguments>();
-    const auto suite = [&](const char* name, const char* sentence) {
+    const auto suite = [&](const char* name, const char* sentence, bool with_files = true) {
         CLI::App* verb = app.add_subcommand(name, sentence);
         arguments->scene.size.clear();
-        arguments->scene.declare(*verb, true);
+        if (with_files) {
+            arguments->scene.declare(*verb, true);
+        }
         verb->add_option("-o,--output", arguments->output, "folder for the results; made if it is not there")
             ->required();
         verb->add_option("--context", arguments->context, "auto, egl or osmesa");
@@ -234,9 +237,11 @@ Verb declare_bench(CLI::App& app, const std::vector<std::string>& command_line) 
     mesh->add_option("--repeats", arguments->repeats, "rounds of timed frames")->check(CLI::Range(1, 1000));
     mesh->add_flag("--quick", arguments->quick, "one scene, small maps");
     CLI::App* clouds =
-        suite("clouds", "clouds: what each technique of the march costs and how far it is from the truth");
+        suite("clouds", "clouds: what each technique of the march costs and how far it is from the truth", false);
+    clouds->add_option("--set", arguments->scene.settings, "PATH=VALUE: what is to be different in all scenes");
+    clouds->add_option("--size", arguments->scene.size, "pixels of the pictures, as 512x288");
     clouds->add_option("--repeats", arguments->repeats, "timed frames")->check(CLI::Range(1, 1000));
-    clouds->add_flag("--quick", arguments->quick, "one view of each preset");
+    clouds->add_flag("--quick", arguments->quick, "from below, fewer settings, a rough truth");
     clouds->add_option("--only", arguments->only, "only views with this in 'PRESET VIEW', as in 'stratus below'");
     CLI::App* frames = suite("frames", "frames along an orbit around each scene, as other programs measure theirs");
     frames->add_option("--repeats", arguments->frames, "frames that count")->check(CLI::Range(1, 100000));

@@ -13,20 +13,23 @@ class QualityController {
     static constexpr double target_ms = 70.0;
 
     /// The view for a picture of `area` pixels while something moves. Without any measurement yet: the coarsest.
-    render::View moving(glm::ivec2 area) const;
+    /// `from_last`: only the camera or the time is new, so that clouds come from the last picture where they can.
+    render::View moving(glm::ivec2 area, bool from_last = false) const;
     /// The view of the picture that stays.
-    static render::View refined(glm::ivec2 area) { return {area, 1.0}; }
+    static render::View refined(glm::ivec2 area) { return {.pixels = area, .in_window = true}; }
 
     /// What the refined picture will cost, ms; 0 when unknown.
     double refined_ms(glm::ivec2 area) const { return std::max(0.0, ms_per_pixel_) * area.x * area.y; }
 
-    /// Tells what a picture cost: the march over `view`, and all other passes.
-    void measured(const render::View& view, double march_ms, double other_ms);
+    /// Tells what a picture cost: the marches over `view`, and all other passes; with `from_last` those of clouds took
+    /// most of their pixels from the last picture.
+    void measured(const render::View& view, double march_ms, double other_ms, bool from_last = false);
     /// Forgets the costs: another scene.
     void forget() { *this = {}; }
 
   private:
     double ms_per_pixel_ = -1.0;  ///< at step scale 1; negative: unknown
+    double ms_per_pixel_from_last_ = -1.0;
     double other_ms_ = 0.0;
 };
 

@@ -1,5 +1,6 @@
 #include "app/viewer/scene_stamp.h"
 
+#include <algorithm>
 #include <functional>
 #include <string>
 
@@ -50,6 +51,11 @@ SceneStamp picture_stamp(const scene::Scene& scene) {
     SceneStamp stamp{scene.camera ? scene.camera->revision() : 0, scene.time.revision()};
     append_content(stamp, scene);
     return stamp;
+}
+
+bool same_but_for_view(const SceneStamp& first, const SceneStamp& second) {
+    return first.size() == second.size() && first.size() >= 2 &&
+           std::equal(first.begin() + 2, first.end(), second.begin() + 2);
 }
 
 SceneStamp document_stamp(const scene::Scene& scene) {

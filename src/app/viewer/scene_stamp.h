@@ -12,6 +12,8 @@ using SceneStamp = std::vector<std::uint64_t>;
 
 /// All that the linear picture depends on.
 SceneStamp picture_stamp(const scene::Scene& scene);
+/// Whether two of the above differ by camera and time at most.
+bool same_but_for_view(const SceneStamp& first, const SceneStamp& second);
 /// All that a person edits and may want undone: everything but the camera.
 SceneStamp document_stamp(const scene::Scene& scene);
 

@@ -7,6 +7,22 @@
 #include "base/log.h"
 
 namespace bruma::app {
+namespace {
+
+/// Whether what a pass costs follows the pixels and the steps.
+bool is_march(const std::string& pass) {
+    return pass == "march" || pass == "path trace" || pass.ends_with(": cloud_march");
+}
+
+bool takes_clouds_from_last(const scene::Scene& scene) {
+    const std::vector<std::string> shown = scene::shown_clouds(scene);
+    return !shown.empty() && std::all_of(shown.begin(), shown.end(), [&](const std::string& name) {
+        return std::get<scene::Clouds>(scene.nodes.at(name).content).march->reprojection !=
+               scene::CloudReprojection::never;
+    });
+}
+
+}  // namespace
 
 bool SceneView::update(const scene::Scene& scene, glm::ivec2 area, double now, bool hand_down) {
     hand_down_ = hand_down;
@@ -15,11 +31,13 @@ bool SceneView::update(const scene::Scene& scene, glm::ivec2 area, double now, b
     }
     SceneStamp stamp = picture_stamp(scene);
     if (stamp != stamp_ || shaders_.revision() != shader_revision_ || area != area_) {
+        const bool turned = same_but_for_view(stamp, stamp_) && shaders_.revision() == shader_revision_ &&
+                            area == area_ && takes_clouds_from_last(scene);
         stamp_ = std::move(stamp);
         shader_revision_ = shaders_.revision();
         area_ = area;
         changed_at_ = now;
-        render::View view = quality_.moving(area);
+        render::View view = quality_.moving(area, turned);
         refined_ = view == QualityController::refined(area) && !render::is_path_traced(scene);
         view.paths.samples = 1;
         if (!render(scene, view)) {
@@ -92,14 +110,14 @@ bool SceneView::render(const scene::Scene& scene, const render::View& view) {
         if (!pass.ran) {
             continue;
         }
-        march_ms = pass.name == "march" || pass.name == "path trace" ? pass.gpu_ms : march_ms;
+        march_ms += is_march(pass.name) ? pass.gpu_ms : 0.0;
         if (std::find(passes_run_.begin(), passes_run_.end(), pass.name) == passes_run_.end()) {
             passes_run_.push_back(pass.name);
         }
     }
     look_at_paths();
     if (!path_standing_ || view.paths.samples == 1) {
-        quality_.measured(view, march_ms, last_ms_ - march_ms);
+        quality_.measured(view, march_ms, last_ms_ - march_ms, renderer_.clouds_from_last());
     }
     view_ = view;
     has_picture_ = true;
@@ -126,7 +144,9 @@ std::optional<double> SceneView::refine_at() const {
 io::Picture8 SceneView::refined_picture(const scene::Scene& scene, glm::ivec2 area) {
     render::View view = QualityController::refined(area);
     view.paths.samples = path_samples_;
-    render(scene, view);
+    do {
+        render(scene, view);
+    } while (fault_.empty() && renderer_.missing_cloud_turns() > 0);
     if (!fault_.empty()) {
         throw InputError(fault_);
     }

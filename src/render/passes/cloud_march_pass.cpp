@@ -64,16 +64,19 @@ void CloudMarchPass::remove() {
 }
 
 void CloudMarchPass::update(const scene::Scene& scene, const scene::Clouds& clouds, const Inputs& inputs,
-                            glm::ivec2 pixels, double step_scale) {
+                            const View& view) {
     graph_.set_source(camera_, **scene.camera, scene.camera->revision());
     graph_.set_source(map_, *clouds.map, clouds.map.revision());
     graph_.set_source(shader_revision_, 0, shaders_.revision());
-    turn_ += clouds.march->reprojection && history_.missing() > 0 ? 1 : 0;
+    const scene::CloudReprojection wanted = clouds.march->reprojection;
+    const bool reprojects =
+        wanted == scene::CloudReprojection::always || (wanted == scene::CloudReprojection::in_window && view.in_window);
+    turn_ += reprojects && history_.missing() > 0 ? 1 : 0;
     const scene::CloudLayer& layer = *clouds.layer;
     const CloudSight sight{**scene.camera,
                            scene::wind_direction_world(layer) * (layer.wind_speed_m_s * scene.time->now_s)};
-    const Parameters parameters{pixels,
-                                step_scale,
+    const Parameters parameters{view.pixels,
+                                view.step_scale,
                                 *clouds.layer,
                                 *clouds.optics,
                                 *clouds.march,
@@ -82,7 +85,8 @@ void CloudMarchPass::update(const scene::Scene& scene, const scene::Clouds& clou
                                 inputs.opaque,
                                 inputs.air,
                                 sight,
-                                clouds.march->reprojection ? turn_ : 0};
+                                reprojects,
+                                reprojects ? turn_ : 0};
     const Handles handles{inputs.passes.weather, inputs.passes.columns, inputs.passes.sun, inputs.noise, inputs.light};
     std::vector<int> reads{camera_.index,         map_.index,          shader_revision_.index,
                            handles.weather.index, handles.noise.index, handles.light.index};
@@ -213,6 +217,7 @@ CloudMarchPass::Made CloudMarchPass::made_with(Parameters parameters, const Hand
     const bool grid = parameters.march.sun_path == scene::CloudSunPath::grid;
     parameters.origins = {};
     parameters.sight = {};
+    parameters.reprojects = false;
     parameters.turn = 0;
     return {parameters,
             {graph_.revision(map_.index), graph_.revision(handles.weather.index), graph_.revision(handles.light.index),
@@ -225,30 +230,35 @@ void CloudMarchPass::draw(const PassAccess& access, const Parameters& parameters
     if (counting) {
         make_targets(access.write(counts), parameters.pixels);
         access.write(counts).framebuffer.bind();
-        march(access, parameters, handles, defines);
+        full_screen_.draw(prepared_program(access, parameters, handles, defines));
         return;
     }
     CloudPicture& out = access.write(picture);
     const Made made = made_with(parameters, handles);
-    const bool resumes = parameters.march.reprojection && made_ == made && out.radiance;
+    from_last_ = parameters.reprojects && made_ == made && out.radiance && history_.is_near(parameters.sight);
     made_ = made;
-    if (!resumes) {
+    if (!from_last_) {
         make_targets(out, parameters.pixels);
         out.framebuffer.bind();
-        march(access, parameters, handles, defines);
+        full_screen_.draw(prepared_program(access, parameters, handles, defines));
         history_.begin(parameters.sight);
         access.note(fmt::format("{} x {} pixels", parameters.pixels.x, parameters.pixels.y));
         return;
     }
-    defines["SPARSE"] = "";
+    history_.look(parameters.sight);
+    gl::Defines sparse = defines;
+    sparse["SPARSE"] = "";
     history_.sparse(parameters.pixels).framebuffer.bind();
-    march(access, parameters, handles, defines);
-    history_.resolve(shaders_, parameters.sight, out);
+    full_screen_.draw(prepared_program(access, parameters, handles, sparse));
+    if (history_.resolve(shaders_, out)) {
+        out.resolved.bind();
+        full_screen_.draw_where_deep(prepared_program(access, parameters, handles, defines));
+    }
     access.note(fmt::format("a sixteenth of {} x {} pixels", parameters.pixels.x, parameters.pixels.y));
 }
 
-void CloudMarchPass::march(const PassAccess& access, const Parameters& parameters, const Handles& handles,
-                           const gl::Defines& defines) {
+gl::Program& CloudMarchPass::prepared_program(const PassAccess& access, const Parameters& parameters,
+                                              const Handles& handles, const gl::Defines& defines) {
     gl::Program& program = shaders_.get("cloud_march.frag", defines);
     program.set("pixel_offset", history_.offset());
     const scene::Camera camera = access.read(camera_);
@@ -278,7 +288,7 @@ void CloudMarchPass::march(const PassAccess& access, const Parameters& parameter
         set_air(access, program, *parameters.air, unit);
         program.set("sun_above_air", glm::vec3(parameters.air->sun_irradiance));
     }
-    full_screen_.draw(program);
+    return program;
 }
 
 }  // namespace bruma::render

@@ -9,6 +9,7 @@
 #include "render/passes/cloud_sky_pass.h"
 #include "render/passes/opaque_pass.h"
 #include "render/sky_air.h"
+#include "render/view.h"
 
 namespace bruma::render {
 
@@ -31,8 +32,7 @@ class CloudMarchPass {
         Handle<OpaquePicture> opaque;  ///< index -1: none
         std::optional<AirTables> air;  ///< none indoors
     };
-    void update(const scene::Scene& scene, const scene::Clouds& clouds, const Inputs& inputs, glm::ivec2 pixels,
-                double step_scale);
+    void update(const scene::Scene& scene, const scene::Clouds& clouds, const Inputs& inputs, const View& view);
     void remove();
 
     Handle<CloudPicture> picture;
@@ -40,6 +40,8 @@ class CloudMarchPass {
 
     /// With reprojection: turns that are missing until the picture is as if all of it had been marched.
     int missing_turns() const { return history_.missing(); }
+    /// Whether the last picture was made from the one before it.
+    bool from_last() const { return from_last_; }
 
   private:
     struct Parameters {
@@ -53,6 +55,7 @@ class CloudMarchPass {
         Handle<OpaquePicture> opaque;
         std::optional<AirTables> air;
         CloudSight sight;
+        bool reprojects = false;
         int turn = 0;  ///< with reprojection another one while turns are missing
         bool operator==(const Parameters&) const = default;
     };
@@ -71,8 +74,8 @@ class CloudMarchPass {
     };
     void draw(const PassAccess& access, const Parameters& parameters, const Handles& handles, bool counting);
     Made made_with(Parameters parameters, const Handles& handles) const;
-    void march(const PassAccess& access, const Parameters& parameters, const Handles& handles,
-               const gl::Defines& defines);
+    gl::Program& prepared_program(const PassAccess& access, const Parameters& parameters, const Handles& handles,
+                                  const gl::Defines& defines);
     static gl::Defines defines_of(const Parameters& parameters, bool counting);
     void set_march(const PassAccess& access, gl::Program& program, const Parameters& parameters,
                    const scene::Camera& camera, GLuint& unit);
@@ -85,6 +88,7 @@ class CloudMarchPass {
     gl::FullScreen full_screen_;
     gl::Texture blue_noise_;
     CloudHistory history_;
+    bool from_last_ = false;
     std::optional<Made> made_;
     int turn_ = 0;
     Handle<scene::Camera> camera_;

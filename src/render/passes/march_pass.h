@@ -13,7 +13,7 @@
 #include "render/passes/opaque_pass.h"
 #include "render/passes/sky_passes.h"
 #include "render/passes/volume_passes.h"
-#include "render/path_goal.h"
+#include "render/view.h"
 
 namespace bruma::render {
 
@@ -28,14 +28,6 @@ struct SampleCounts {
     gl::Texture counts;
     gl::Texture picture;
     gl::Framebuffer framebuffer;
-};
-
-/// Where a picture is drawn and how coarsely; a viewer lowers both while something moves.
-struct View {
-    glm::ivec2 pixels{0};
-    double step_scale = 1.0;  ///< multiplies the step of the scene's settings
-    PathGoal paths{};
-    bool operator==(const View&) const = default;
 };
 
 /// Marches all shown volumes, up to the surfaces that the opaque pass found, over these and the background.
