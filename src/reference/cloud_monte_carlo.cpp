@@ -39,9 +39,13 @@ class Path {
         glm::dvec3 origin = ray.origin_world, direction = ray.direction_world, weight(1.0), radiance(0.0);
         std::int64_t orders = 0;
         double longest = options_.longest_m;
+        AirLight before;
         while (true) {
             const std::optional<CloudCollision> collision = fly(origin, direction, longest);
             if (collision) {
+                if (orders == 0 && options_.air) {
+                    before = options_.air(glm::distance(ray.origin_world, collision->at_world));
+                }
                 weight *= collision->medium->optics.albedo;
                 radiance += weight * sun_at(*collision, direction);
                 if (++orders == options_.most_orders || !survives(weight)) {
@@ -54,6 +58,7 @@ class Path {
             }
             longest = infinity;
         }
+        radiance = before.radiance + before.transmittance * radiance;
         result.sum = radiance;
         result.sum_of_squares = radiance * radiance;
         result.passed_squares = result.passed * result.passed;

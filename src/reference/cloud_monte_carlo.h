@@ -1,7 +1,9 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <span>
 
+#include "reference/cloud_air.h"
 #include "reference/cloud_lighting.h"
 #include "reference/cloud_medium.h"
 #include "scene/camera.h"
@@ -16,6 +18,8 @@ struct MonteCarloOptions {
     std::uint32_t pixel = 0;            ///< another number is another stream
     std::int64_t most_orders = 100000;  ///< of scattering; 1 is single scattering
     double longest_m = 200e3;           ///< of the view ray
+    /// Air between the eye and a point of this ray, over the distance; empty: none. Paths pass none after that.
+    std::function<AirLight(double distance_m)> air = {};
 };
 
 struct MonteCarloResult {

@@ -42,6 +42,8 @@ std::vector<CloudMedium> media_of(const scene::Scene& scene) {
     return media;
 }
 
+using AirBefore = std::function<AirLight(double distance_m)>;
+
 struct Shade {
     glm::dvec3 radiance{0.0}, error{0.0};
     double transmittance = 1.0;
@@ -49,11 +51,9 @@ struct Shade {
 };
 
 Shade by_march(std::span<const CloudMedium> media, const CloudLight& light, const scene::Ray& ray,
-               const CloudImageOptions& options, const CloudSky* sky, bool shafts) {
+               const CloudImageOptions& options, const AirBefore& air) {
     CloudMarchOptions march = options.march;
-    if (sky != nullptr) {
-        march.air = sky->air_along(ray, march.longest_m, shafts ? media : std::span<const CloudMedium>());
-    }
+    march.air = air;
     const CloudRayResult result =
         options.fixed_step_m ? march_once(media, light, ray, *options.fixed_step_m, options.fixed_sun_samples, march)
                              : march_clouds(media, light, ray, march);
@@ -63,10 +63,12 @@ Shade by_march(std::span<const CloudMedium> media, const CloudLight& light, cons
 }
 
 Shade by_paths(std::span<const CloudMedium> media, const CloudLight& light, const Pixel& pixel,
-               const CloudImageOptions& options) {
-    const MonteCarloResult result = trace_paths(
-        media, light, pixel.ray,
-        {.samples = options.samples, .pixel = std::uint32_t(pixel.index), .longest_m = options.march.longest_m});
+               const CloudImageOptions& options, const AirBefore& air) {
+    const MonteCarloResult result = trace_paths(media, light, pixel.ray,
+                                                {.samples = options.samples,
+                                                 .pixel = std::uint32_t(pixel.index),
+                                                 .longest_m = options.march.longest_m,
+                                                 .air = air});
     return {result.radiance, result.standard_error, result.transmittance,
             std::uint64_t(result.mean_orders * options.samples)};
 }
@@ -115,11 +117,6 @@ std::function<AirLight(double)> CloudSky::air_along(const scene::Ray& ray, doubl
 ScatteringImage render_clouds(const scene::Scene& scene, int width, int height, const CloudImageOptions& options) {
     scene::check(scene);
     require_clouds_alone(scene);
-    if (scene.outdoors && options.paths != LightPaths::single) {
-        throw InputError(
-            "sky: there is no reference yet for all orders of scattering in clouds under a sky; --light single takes "
-            "the scene's own model of light");
-    }
     const std::vector<CloudMedium> media = media_of(scene);
     std::optional<CloudSky> sky;
     if (scene.outdoors) {
@@ -134,10 +131,14 @@ ScatteringImage render_clouds(const scene::Scene& scene, int width, int height, 
         if (!options.wanted.empty() && options.wanted[pixel.index] == 0) {
             return;
         }
-        const Shade shade = options.paths == LightPaths::single
-                                ? by_march(media, light, pixel.ray, options, sky ? &*sky : nullptr,
-                                           scene.outdoors && scene.outdoors->sky->shafts)
-                                : by_paths(media, light, pixel, options);
+        AirBefore air;
+        if (sky) {
+            air = sky->air_along(
+                pixel.ray, options.march.longest_m,
+                scene.outdoors->sky->shafts ? std::span<const CloudMedium>(media) : std::span<const CloudMedium>());
+        }
+        const Shade shade = options.paths == LightPaths::single ? by_march(media, light, pixel.ray, options, air)
+                                                                : by_paths(media, light, pixel, options, air);
         const glm::dvec3 seen = shade.radiance + shade.transmittance * pixel.background;
         float* const rgba = out.image.pixel(pixel.x, pixel.y);
         for (int k = 0; k < 3; ++k) {

@@ -48,8 +48,9 @@ class CloudSky {
 /// All shown layers of clouds over the background, seen by the scene's camera at the scene's time, in double precision.
 /// Outdoors the sun reaches each point through the air above it and the air before each point is seen, in the shadows
 /// of clouds unless `sky.shafts` is off, all by the sun's elevation at the camera; the sky behind is left out, and its
-/// light is that on the ground; all orders are not known. `error`: single: estimated; multiple: standard error. Throws
-/// InputError for a scene without camera, or with shown volumes or meshes, which this reference does not know.
+/// light is that on the ground. Paths of all orders pass no air but that before their first collision. `error`: single:
+/// estimated; multiple: standard error. Throws InputError for a scene without camera, or with shown volumes or meshes,
+/// which this reference does not know.
 ScatteringImage render_clouds(const scene::Scene& scene, int width, int height, const CloudImageOptions& options = {});
 
 }  // namespace bruma::reference

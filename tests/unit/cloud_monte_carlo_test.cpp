@@ -43,6 +43,26 @@ TEST(CloudMonteCarlo, WhiteFurnace) {
     EXPECT_GT(result.mean_orders, 3.0) << "thick enough to mean something";
 }
 
+// Air before a cloud dims its light and adds its own, once for each path that met the cloud.
+TEST(CloudMonteCarlo, AirBeforeTheCloud) {
+    const std::vector<CloudMedium> media{homogeneous_layer(1000.0, 1100.0, 0.01)};
+    const scene::Ray ray = ray_along({0, 0, 0}, {0, 1, 0});
+    MonteCarloOptions options{.samples = 4000};
+    const auto clear = trace_paths(media, CloudLight{}, ray, options);
+    double nearest = 1e30, farthest = 0.0;
+    options.air = [&](double distance_m) {
+        nearest = std::min(nearest, distance_m);
+        farthest = std::max(farthest, distance_m);
+        return AirLight{glm::dvec3(0.25), glm::dvec3(0.5)};
+    };
+    const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+    const auto hazy = trace_paths(media, CloudLight{}, ray, options);
+    const double met = (hazy.radiance.g - 0.5 * clear.radiance.g) / 0.25;
+    EXPECT_NEAR(met, 1.0 - std::exp(-1.0), bars * std::sqrt(0.25 / 4000.0));
+    EXPECT_GE(nearest, 1000.0);
+    EXPECT_LE(farthest, 1100.0 + 1e-6);
+}
+
 /// Chandrasekhar's H function of isotropic scattering (Radiative Transfer, 1960, chapter V), at midpoints in mu.
 std::vector<double> h_function(double albedo, int n) {
     std::vector<double> h(std::size_t(n), 1.0);

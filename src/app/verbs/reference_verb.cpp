@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "app/scene_arguments.h"
+#include "app/verbs/reference_body.h"
 #include "app/verbs/verbs.h"
 #include "base/error.h"
 #include "base/log.h"
@@ -28,6 +29,8 @@ struct ReferenceArguments {
     std::string output;
     std::optional<double> tolerance;
     std::string light;
+    std::string inside = "quadrature";
+    std::uint64_t photons = 1'000'000;
     reference::ScatteringOptions scattering;
 };
 
@@ -48,11 +51,7 @@ void say_what_paths_leave_out(const scene::Scene& scene) {
     }
 }
 
-struct Drawn {
-    Image image;
-    std::vector<float> error;  ///< per pixel
-    std::string findings;      ///< what to say about it
-};
+using Drawn = DrawnReference;
 
 Drawn draw_emission_absorption(const ReferenceArguments& arguments, const scene::Scene& scene,
                                const std::function<void(double)>& progress) {
@@ -140,6 +139,14 @@ Drawn draw_clouds(const ReferenceArguments& arguments, const scene::Scene& scene
                         multiple ? "collisions" : "samples")};
 }
 
+Drawn draw_body(const ReferenceArguments& arguments, const scene::Scene& scene,
+                const std::function<void(double)>& progress) {
+    return draw_body_reference(scene, arguments.scene.pixels(),
+                               {arguments.inside == "photons" ? reference::SubsurfaceMethod::random_walk
+                                                              : reference::SubsurfaceMethod::quadrature,
+                                arguments.tolerance, arguments.photons, arguments.scattering.seed, progress});
+}
+
 int reference(const ReferenceArguments& arguments) {
     if (io::picture_format(arguments.output) != io::PictureFormat::exr) {
         throw InputError(
@@ -151,12 +158,7 @@ int reference(const ReferenceArguments& arguments) {
     if (scene.outdoors) {
         scene.background = scene::Background{};
     }
-    if (const auto meshes = scene::shown_meshes(scene); !meshes.empty() && !has_clouds) {
-        throw InputError(
-            fmt::format("nodes.{0}: is a mesh, and there is no reference for meshes yet; --set nodes.{0}.visible=false "
-                        "leaves it out",
-                        meshes.front()));
-    }
+    const bool has_meshes = !scene::shown_meshes(scene).empty();
     const bool talks = ::isatty(2) != 0;
     std::function<void(double)> progress;
     if (talks) {
@@ -164,6 +166,7 @@ int reference(const ReferenceArguments& arguments) {
     }
     const auto start = std::chrono::steady_clock::now();
     Drawn drawn = has_clouds                 ? draw_clouds(arguments, scene, progress)
+                  : has_meshes               ? draw_body(arguments, scene, progress)
                   : anything_scatters(scene) ? draw_scattering(arguments, scene, progress)
                                              : draw_emission_absorption(arguments, scene, progress);
     if (scene.outdoors) {
@@ -188,11 +191,20 @@ Verb declare_reference(CLI::App& app) {
                    "(scattered once, by quadrature)")
         ->check(CLI::IsMember({"single", "multiple"}));
     app.add_option("--tolerance", arguments->tolerance,
-                   "error to aim at in each pixel, radiance; without: 1e-6, and 1e-3 for --light single")
+                   "error to aim at in each pixel, radiance (translucent meshes: relative); without: 1e-6, and 1e-3 "
+                   "for --light "
+                   "single and meshes")
         ->check(CLI::Range(1e-12, 1.0));
     app.add_option("--samples", arguments->scattering.samples,
                    "multiple: paths for each pixel; four times as many halve the error")
         ->check(CLI::Range(2, 1 << 30))
+        ->capture_default_str();
+    app.add_option("--inside", arguments->inside,
+                   "translucent meshes: quadrature of the dipole, or photons, which follow no model")
+        ->check(CLI::IsMember({"quadrature", "photons"}))
+        ->capture_default_str();
+    app.add_option("--photons", arguments->photons, "of each lamp and channel; four times as many halve the error")
+        ->check(CLI::Range(std::uint64_t(1000), std::uint64_t(1) << 40))
         ->capture_default_str();
     app.add_option("--max-bounces", arguments->scattering.max_bounces,
                    "multiple: times that light is scattered before its path is cut off; 1 is single scattering")
