@@ -71,8 +71,9 @@ void main()
     if (kept_spread == 0.0) {
         uv = gl_FragCoord.xy / pixels;
     }
+    ivec2 last_size = textureSize(last_distance, 0);  // another one while a viewer lowers its own
     // Not between pixels: halfway from a cloud to none (0) is no distance, and its pixels would all be marched.
-    float last_at = texelFetch(last_distance, clamp(ivec2(uv * pixels), ivec2(0), ivec2(pixels) - 1), 0).x;
+    float last_at = texelFetch(last_distance, clamp(ivec2(uv * vec2(last_size)), ivec2(0), last_size - 1), 0).x;
     bool seen = all(greaterThanEqual(uv, vec2(0.0))) && all(lessThanEqual(uv, vec2(1.0))) &&
                 (orthographic != 0 || then.z < 0.0);
     bool same = distance == 0.0 || last_at == 0.0 || max(last_at, distance) < 3.0 * min(last_at, distance);

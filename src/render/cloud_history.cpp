@@ -63,7 +63,7 @@ void CloudHistory::look(const CloudSight& sight) {
 }
 
 bool CloudHistory::resolve(gl::ShaderLibrary& shaders, CloudPicture& picture) {
-    const glm::ivec2 pixels(picture.radiance.size());
+    const glm::ivec2 pixels = sight_.pixels;
     const glm::ivec2 few = sparse_size(pixels);
     if (!statistics_.mean || glm::ivec2(statistics_.mean.size()) != few) {
         statistics_.framebuffer = {};
@@ -108,7 +108,7 @@ bool CloudHistory::resolve(gl::ShaderLibrary& shaders, CloudPicture& picture) {
     program.set("half_view", glm::vec2(half_view(camera, pixels, 1.0)));
     program.set("world_from_camera", world_from_camera(camera));
     program.set("last_camera_from_world", glm::transpose(world_from_camera(last_sight_.camera)));
-    program.set("last_half_view", glm::vec2(half_view(last_sight_.camera, pixels, 1.0)));
+    program.set("last_half_view", glm::vec2(half_view(last_sight_.camera, last_sight_.pixels, 1.0)));
     program.set("moved", glm::vec3(sight_.moved_m(last_sight_)));
     program.set("kept_spread", moved ? 1.0F : 0.0F);
     picture.resolved.bind();

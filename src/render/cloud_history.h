@@ -17,14 +17,20 @@ struct CloudPicture {
 };
 void make_targets(CloudPicture& picture, glm::ivec2 pixels);
 
-/// From where and when a picture was seen.
+/// From where and when a picture was seen, and how finely.
 struct CloudSight {
     scene::Camera camera;
     glm::dvec3 drifted_m{0.0};  ///< how far the wind has carried the clouds
+    glm::ivec2 pixels{0};
+    double step_scale = 1.0;
     bool operator==(const CloudSight&) const = default;
-    /// Whether a picture seen from `last` says much about one from here: clouds went by less than this.
-    static constexpr double farthest_m = 100.0;
-    bool is_near(const CloudSight& last) const { return glm::length(moved_m(last)) < farthest_m; }
+    /// Whether a picture seen from `last` says much about one from here: clouds went by less than this, and its pixels
+    /// are not much larger.
+    static constexpr double farthest_m = 100.0, most_growth = 1.6;
+    bool is_near(const CloudSight& last) const {
+        return glm::length(moved_m(last)) < farthest_m &&
+               glm::all(glm::lessThanEqual(glm::dvec2(pixels), most_growth * glm::dvec2(last.pixels)));
+    }
     /// How the eye has moved among the clouds since then.
     glm::dvec3 moved_m(const CloudSight& last) const {
         return (camera.eye_world - last.camera.eye_world) - (drifted_m - last.drifted_m);
@@ -49,8 +55,8 @@ class CloudHistory {
 
     /// A whole picture was marched from `sight`.
     void begin(const CloudSight& sight);
-    /// Fills `picture`, which holds the last one, from what was marched and from itself. True when the view has moved,
-    /// so that pixels may be missing.
+    /// Fills `picture`, which holds the last one, from what was marched and from itself. True when the view is not the
+    /// last one's, so that pixels may be missing.
     bool resolve(gl::ShaderLibrary& shaders, CloudPicture& picture);
 
     /// Turns that are missing until the picture is as if all of it had been marched.

@@ -34,11 +34,14 @@ render::View QualityController::moving(glm::ivec2 area, bool from_last) const {
     for (const double scale : scales) {
         const glm::ivec2 pixels = scaled(area, scale);
         const double ms = ms_per_pixel * pixels.x * pixels.y;
-        if (ms <= budget_ms) {
+        // Another size costs a picture the sharpness of the last: stay unless another is clearly right.
+        const double slack = !from_last || pixels.x < last_pixels_.x ? 1.0 : pixels.x > last_pixels_.x ? 0.6 : 1.3;
+        if (ms <= slack * budget_ms) {
             return view(scale, 1.0);
         }
         if (scale == scales.back()) {
-            return view(scale, std::min(largest_step_scale, ms / budget_ms));
+            // Longer steps save little where most pixels are not marched, and steps that change are seen.
+            return view(scale, from_last ? 1.0 : std::min(largest_step_scale, ms / budget_ms));
         }
     }
     return refined(area);
@@ -47,9 +50,18 @@ render::View QualityController::moving(glm::ivec2 area, bool from_last) const {
 void QualityController::measured(const render::View& view, double march_ms, double other_ms, bool from_last) {
     const double pixels = double(view.pixels.x) * view.pixels.y;
     if (pixels > 0.0 && march_ms > 0.0) {
-        (from_last ? ms_per_pixel_from_last_ : ms_per_pixel_) = march_ms * view.step_scale / pixels;
+        const double ms_per_pixel = march_ms * view.step_scale / pixels;
+        if (!from_last) {
+            ms_per_pixel_ = ms_per_pixel;
+        } else {
+            // It follows the motion, so two in a row count half each; and a first one that compiled shaders is no cost.
+            const double bounded = std::min(ms_per_pixel, std::max(ms_per_pixel_, 0.0));
+            const double before = ms_per_pixel_from_last_ < 0.0 ? bounded : ms_per_pixel_from_last_;
+            ms_per_pixel_from_last_ = 0.5 * (before + bounded);
+        }
     }
     other_ms_ = other_ms;
+    last_pixels_ = view.pixels;
 }
 
 }  // namespace bruma::app

@@ -31,6 +31,7 @@ class QualityController {
     double ms_per_pixel_ = -1.0;  ///< at step scale 1; negative: unknown
     double ms_per_pixel_from_last_ = -1.0;
     double other_ms_ = 0.0;
+    glm::ivec2 last_pixels_{0};
 };
 
 }  // namespace bruma::app

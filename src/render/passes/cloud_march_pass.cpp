@@ -74,7 +74,8 @@ void CloudMarchPass::update(const scene::Scene& scene, const scene::Clouds& clou
     turn_ += reprojects && history_.missing() > 0 ? 1 : 0;
     const scene::CloudLayer& layer = *clouds.layer;
     const CloudSight sight{**scene.camera,
-                           scene::wind_direction_world(layer) * (layer.wind_speed_m_s * scene.time->now_s)};
+                           scene::wind_direction_world(layer) * (layer.wind_speed_m_s * scene.time->now_s), view.pixels,
+                           view.step_scale};
     const Parameters parameters{view.pixels,
                                 view.step_scale,
                                 *clouds.layer,
@@ -217,6 +218,8 @@ CloudMarchPass::Made CloudMarchPass::made_with(Parameters parameters, const Hand
     const bool grid = parameters.march.sun_path == scene::CloudSunPath::grid;
     parameters.origins = {};
     parameters.sight = {};
+    parameters.pixels = {};
+    parameters.step_scale = 1.0;
     parameters.reprojects = false;
     parameters.turn = 0;
     return {parameters,
