@@ -43,16 +43,22 @@ std::vector<Technique> techniques(bool quick) {
          }},
     };
     if (!quick) {
-        for (const double step : {120.0, 60.0, 15.0}) {
-            all.push_back({fmt::format("step {:g} m", step), [step](auto& march) {
-                               march.step_m = step;
-                               march.step_growth *= step / scene::CloudMarch{}.step_m;
-                               march.optical_step *= std::min(2.0, step / scene::CloudMarch{}.step_m);
-                           }});
-        }
         all.push_back({"fine grid of light", [](auto& march) { march.grid_columns = 512; }});
     }
     return all;
+}
+
+/// Lengths of the shortest segment, the usual one first.
+std::vector<double> steps_m(bool quick) {
+    const double usual = scene::CloudMarch{}.step_m;
+    return quick ? std::vector{usual} : std::vector{usual, 4.0 * usual, 2.0 * usual, 0.5 * usual};
+}
+
+void set_step(scene::CloudMarch& march, double step_m) {
+    const double share = step_m / march.step_m;
+    march.step_m = step_m;
+    march.step_growth *= share;
+    march.optical_step *= std::min(2.0, share);
 }
 
 /// Turns the camera a little: a frame that nothing but its view makes new.
@@ -83,10 +89,13 @@ Timed timed_frames(render::Renderer& renderer, scene::Scene scene, const render:
     return {median(wall), median(cpu)};
 }
 
-CloudBenchRow row_of(render::Renderer& renderer, scene::Scene scene, const Technique& technique, const Image& truth,
-                     const std::vector<std::size_t>& places, const CloudBenchOptions& options) {
-    clouds_in(scene).march.edit(technique.change);
-    CloudBenchRow row{.technique = technique.name};
+CloudBenchRow row_of(render::Renderer& renderer, scene::Scene scene, const Technique& technique, double step_m,
+                     const Image& truth, const std::vector<std::size_t>& places, const CloudBenchOptions& options) {
+    clouds_in(scene).march.edit([&](scene::CloudMarch& march) {
+        set_step(march, step_m);
+        technique.change(march);
+    });
+    CloudBenchRow row{.technique = technique.name, .step_m = step_m};
     const render::View view{options.pixels, 1.0};
     renderer.render(scene, view);
     row.error = error_at(places, renderer.read_picture(), truth);
@@ -229,8 +238,10 @@ CloudBench run_cloud_bench(const CloudBenchOptions& options) {
             const Image truth = reference::render_clouds(scene, options.pixels.x, options.pixels.y, exact).image;
             result.reference_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
             render::Renderer renderer(shaders);  // one for all, so that noise and grids are made once
-            for (const Technique& technique : techniques(options.quick)) {
-                result.rows.push_back(row_of(renderer, scene, technique, truth, places, options));
+            for (const double step_m : steps_m(options.quick)) {
+                for (const Technique& technique : techniques(options.quick)) {
+                    result.rows.push_back(row_of(renderer, scene, technique, step_m, truth, places, options));
+                }
             }
             result.pan = pan_of(shaders, scene, options);
             if (options.paths > 0) {

@@ -40,6 +40,7 @@ SpreadError error_at(const std::vector<std::size_t>& places, const Image& found,
 /// One set of techniques on one view of one preset.
 struct CloudBenchRow {
     std::string technique;
+    double step_m = 0.0;  ///< shortest segment
     SpreadError error = {};
     double ms = 0.0, cpu_ms = 0.0;                                ///< of a frame whose view alone is new, median
     double turns = 0.0, weather = 0.0, noise = 0.0, light = 0.0;  ///< lookups per pixel
@@ -67,7 +68,7 @@ CloudBias multiple_scattering_bias(scene::Scene scene, glm::ivec2 pixels, std::u
 struct CloudBenchScene {
     std::string preset, view;
     double reference_seconds = 0.0;
-    std::vector<CloudBenchRow> rows;  ///< the first one has the usual settings
+    std::vector<CloudBenchRow> rows;  ///< all techniques for each length of steps; the first one has the usual settings
     CloudPan pan;
     CloudBias bias = {};
 };
@@ -90,7 +91,7 @@ std::string finding(const CloudBenchScene& scene);
 /// How far light scattered more than once is from the truth.
 std::string finding_bias(const CloudBenchScene& scene);
 /// What a scene costs beside another at the same error, in lookups of noise and light per pixel: on the lines through
-/// the settings that differ by the length of their steps alone. Nothing where one of them never is that near.
+/// the usual settings with steps of all lengths. Nothing where one of them never is that near.
 std::optional<double> cost_beside(const CloudBenchScene& scene, const CloudBenchScene& other, double rmse);
 
 }  // namespace bruma::measure

@@ -15,6 +15,7 @@ BenchTable table_of(const CloudBenchScene& scene) {
     using Row = CloudBenchRow;
     return bench_table<Row>(
         {{"technique", "technique", {}, [](const Row& row) { return row.technique; }},
+         {"step_m", "step, m", "{:.0f}", [](const Row& row) { return row.step_m; }},
          {"rmse", "RMSE", "{:.4f}", [](const Row& row) { return row.error.rmse; }},
          {"rmse_standard_error", "±", "{:.4f}", [](const Row& row) { return row.error.standard_error; }},
          {"relative_rmse", "relative RMSE", "{:.4f}", [](const Row& row) { return row.error.relative_rmse; }},
@@ -51,6 +52,25 @@ nlohmann::json json_of(const CloudBenchScene& scene) {
               {"rms_difference", bias.rms}}}};
 }
 
+/// A line of each technique through its lengths of steps, over what they cost.
+LogLogPlot curves(const CloudBenchScene& scene, const std::string& label, double (*cost)(const CloudBenchRow&)) {
+    LogLogPlot plot{label, "RMSE", {}};
+    for (const CloudBenchRow& row : scene.rows) {
+        auto line = std::find_if(plot.lines.begin(), plot.lines.end(),
+                                 [&](const PlotLine& one) { return one.name == row.technique; });
+        if (line == plot.lines.end()) {
+            const std::size_t n = plot.lines.size();
+            plot.lines.push_back({row.technique, {}, n >= 6, int(n % 6)});  // there are six colours
+            line = plot.lines.end() - 1;
+        }
+        line->points.emplace_back(cost(row), row.error.rmse);
+    }
+    for (PlotLine& line : plot.lines) {
+        std::sort(line.points.begin(), line.points.end(), [](auto a, auto b) { return a.x < b.x; });
+    }
+    return plot;
+}
+
 std::string page_of(const CloudBench& bench) {
     std::string text = page_head("Bruma: clouds, time against error", "Clouds: run time against error");
     text += fmt::format(
@@ -60,14 +80,17 @@ std::string page_of(const CloudBench& bench) {
         "this machine on this day; lookups are the same everywhere.</p>\n",
         bench.options.pixels.x, bench.options.pixels.y, machine_html(bench.machine), bench.options.truth_pixels);
     for (const CloudBenchScene& scene : bench.scenes) {
-        LogLogPlot plot{"lookups of noise and light per pixel", "RMSE", {}};
-        for (std::size_t n = 0; n < scene.rows.size(); ++n) {
-            const CloudBenchRow& row = scene.rows[n];
-            plot.lines.push_back({row.technique, {{row.noise + row.light, row.error.rmse}}, false, int(n % 6)});
-        }
         text += fmt::format("<section><h2>{}, {}</h2>\n<div class=\"plots\">\n", scene.preset, scene.view);
-        text += figure("Error against lookups", svg_of(plot), finding(scene)) + "</div>\n<p>" +
-                html_text(finding_bias(scene)) + "</p>\n" + folded_html_of(table_of(scene)) + "</section>\n";
+        text += figure("Error against time",
+                       svg_of(curves(scene, "CPU milliseconds of a frame whose view is new",
+                                     [](const CloudBenchRow& row) { return row.cpu_ms; })),
+                       finding(scene)) +
+                figure("Error against lookups",
+                       svg_of(curves(scene, "lookups of noise and light per pixel",
+                                     [](const CloudBenchRow& row) { return row.noise + row.light; })),
+                       "The same pictures, by counts that are the same on every machine") +
+                "</div>\n<p>" + html_text(finding_bias(scene)) + "</p>\n" + folded_html_of(table_of(scene)) +
+                "</section>\n";
     }
     return text + "</body></html>\n";
 }
@@ -76,7 +99,7 @@ std::string page_of(const CloudBench& bench) {
 std::optional<double> cost_at(const CloudBenchScene& scene, double rmse) {
     std::vector<std::pair<double, double>> line;  // lookups, RMSE
     for (const CloudBenchRow& row : scene.rows) {
-        if (row.technique == "usual" || row.technique.starts_with("step ")) {
+        if (row.technique == "usual") {
             line.emplace_back(row.noise + row.light, row.error.rmse);
         }
     }

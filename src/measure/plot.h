@@ -11,7 +11,7 @@ namespace bruma::measure {
 struct PlotLine {
     std::string name;
     std::vector<glm::dvec2> points;
-    bool dashed = false;  ///< for lines that were fitted and not measured
+    bool dashed = false;  ///< fitted and not measured, or the second line of a colour
     int series = 0;       ///< colour and marker
 };
 struct LogLogPlot {
