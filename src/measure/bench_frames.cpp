@@ -22,6 +22,31 @@ scene::Camera orbited(const scene::Camera& camera, double azimuth_deg) {
     return result;
 }
 
+namespace {
+
+/// Medians over frames further along the orbit.
+std::map<std::string, double> time_passes(BenchStand& stand, const scene::Camera& camera,
+                                          const FramesBenchOptions& options) {
+    std::map<std::string, std::vector<double>> times;
+    for (int n = 0; n < options.repeats; ++n) {
+        for (const render::PassReport& pass :
+             stand.passes(orbited(camera, options.azimuth_step_deg * (options.repeats + n)))) {
+            if (pass.ran) {
+                times[pass.name].push_back(pass.gpu_ms);
+            }
+        }
+    }
+    std::map<std::string, double> medians;
+    for (const auto& [name, all] : times) {
+        if (2 * int(all.size()) > options.repeats) {
+            medians[name] = median(all);
+        }
+    }
+    return medians;
+}
+
+}  // namespace
+
 FramesBench run_frames_bench(const std::string& name, const scene::Scene& scene, const FramesBenchOptions& options) {
     gl::ShaderLibrary shaders(installed_folder("shaders"));
     BenchStand stand(shaders, scene, options.pixels);
@@ -42,19 +67,26 @@ FramesBench run_frames_bench(const std::string& name, const scene::Scene& scene,
     bench.ms_min = *std::min_element(wall.begin(), wall.end());
     bench.ms_max = *std::max_element(wall.begin(), wall.end());
     bench.cpu_ms_median = median(cpu);
+    if (options.passes) {
+        bench.pass_ms = time_passes(stand, **scene.camera, options);
+    }
     stand.timed(**scene.camera);
     bench.samples_per_pixel = stand.count(*scene.rendering).samples_per_pixel;
     return bench;
 }
 
 nlohmann::json to_json(const FramesBench& bench) {
-    return {{"scene", bench.scene},
-            {"ms_median", bench.ms_median},
-            {"ms_min", bench.ms_min},
-            {"ms_max", bench.ms_max},
-            {"cpu_ms_median", bench.cpu_ms_median},
-            {"n", bench.frames},
-            {"samples_per_pixel", bench.samples_per_pixel}};
+    nlohmann::json line = {{"scene", bench.scene},
+                           {"ms_median", bench.ms_median},
+                           {"ms_min", bench.ms_min},
+                           {"ms_max", bench.ms_max},
+                           {"cpu_ms_median", bench.cpu_ms_median},
+                           {"n", bench.frames},
+                           {"samples_per_pixel", bench.samples_per_pixel}};
+    if (!bench.pass_ms.empty()) {
+        line["pass_ms"] = bench.pass_ms;
+    }
+    return line;
 }
 
 }  // namespace bruma::measure

@@ -23,6 +23,11 @@ Duration BenchStand::timed(const scene::Camera& camera) {
     return drained([&] { renderer_.render(scene_, view_); });
 }
 
+render::RunReport BenchStand::passes(const scene::Camera& camera) {
+    scene_.camera = camera;
+    return renderer_.render(scene_, view_, true);
+}
+
 render::SampleTotals BenchStand::count(const scene::RenderSettings& settings) {
     scene_.rendering.set(settings);
     return renderer_.count_samples(scene_, view_);

@@ -19,6 +19,8 @@ class BenchStand {
     /// A whole frame, drained before and after.
     Duration timed(const scene::RenderSettings& settings);
     Duration timed(const scene::Camera& camera);
+    /// The same, pass by pass: each is waited for, so that the whole takes longer.
+    render::RunReport passes(const scene::Camera& camera);
     render::SampleTotals count(const scene::RenderSettings& settings);
     Image picture() const { return renderer_.read_picture(); }
 

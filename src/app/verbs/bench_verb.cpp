@@ -29,6 +29,7 @@ struct BenchArguments {
     std::string only;
     int repeats = 3;
     int frames = 9;
+    bool passes = false;
     int warmup = 2;
     double azimuth_step_deg = 3.0;
     bool quick = false;
@@ -181,7 +182,8 @@ int bench_frames(const BenchArguments& arguments, const std::vector<std::string>
     io::require_writable_folder(arguments.output);
     const glm::ivec2 pixels = arguments.scene.pixels();
     const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
-    const measure::FramesBenchOptions options{pixels, arguments.azimuth_step_deg, arguments.frames, arguments.warmup};
+    const measure::FramesBenchOptions options{pixels, arguments.azimuth_step_deg, arguments.frames, arguments.warmup,
+                                              arguments.passes};
     nlohmann::json results = nlohmann::json::array();
     for (const std::string& file : arguments.scene.files) {
         const measure::FramesBench bench =
@@ -245,6 +247,7 @@ Verb declare_bench(CLI::App& app, const std::vector<std::string>& command_line) 
     clouds->add_option("--only", arguments->only, "only views with this in 'PRESET VIEW', as in 'stratus below'");
     CLI::App* frames = suite("frames", "frames along an orbit around each scene, as other programs measure theirs");
     frames->add_option("--repeats", arguments->frames, "frames that count")->check(CLI::Range(1, 100000));
+    frames->add_flag("--passes", arguments->passes, "also what each pass takes, over as many frames again");
     frames->add_option("--warmup", arguments->warmup, "frames before them")->check(CLI::Range(0, 1000));
     frames->add_option("--azimuth-step", arguments->azimuth_step_deg, "degrees from one frame to the next, about +y")
         ->check(CLI::Range(-360.0, 360.0));
