@@ -7,6 +7,9 @@
 #ifdef TRANSLUCENT
 #include "include/body_surface.glsl"
 #include "include/exit_maps.glsl"
+#ifndef FROM_POINTS
+#include "include/exit_light.glsl"
+#endif
 #endif
 #ifdef DEPTH_ONLY
 void main() {}
@@ -25,28 +28,37 @@ void main()
 #elif defined(MAP_READS)
 // Which texels of the maps a picture looks up.
 layout(early_fragment_tests) in;
-layout(binding = 0, r8ui) writeonly uniform uimage2DArray reads;  // 1 in the middle of 3 x 3 texels
+layout(std430, binding = 2) buffer Reads { uint reads[]; };  // see include/exit_texels.glsl
 uniform int last_texel;
+uniform int row_words;
 
-// What another program may round away, texels.
-const float slack = 0.002;
+// What another program may round away, texels and cosines.
+const float slack_of_place = 0.002;
+
+void mark(int n, BodySurface s)
+{
+    vec2 place = exit_place(exit_cameras[n], s.position);
+    ivec2 low = clamp(ivec2(floor(place - slack_of_place)), ivec2(0), ivec2(last_texel));
+    ivec2 high = clamp(ivec2(floor(place + slack_of_place)), ivec2(0), ivec2(last_texel));
+    for (int y = low.y; y <= high.y; ++y) {
+        for (int x = low.x; x <= high.x; ++x) {
+            atomicOr(reads[x / 32 + (y + n * (last_texel + 1)) * row_words], 1u << (x % 32));
+        }
+    }
+}
 
 void main()
 {
     find_covered_part();
     BodySurface s = body_surface();
-    for (int n = 0; n < exit_count; ++n) {
-        ExitCamera camera = exit_cameras[n];
-        if (exit_cosine(camera, s.normal, s.facet) >= least_cosine - slack) {
-            vec2 place = exit_place(camera, s.position);
-            ivec2 low = clamp(ivec2(floor(place - slack)), ivec2(0), ivec2(last_texel));
-            ivec2 high = clamp(ivec2(floor(place + slack)), ivec2(0), ivec2(last_texel));
-            for (int y = low.y; y <= high.y; ++y) {
-                for (int x = low.x; x <= high.x; ++x) {
-                    imageStore(reads, ivec3(x, y, n), uvec4(1u));
-                }
-            }
-        }
+    MapsAround maps = maps_around(s, slack_of_place);
+    ExitSums sums = ExitSums(vec4(0.0), vec4(0.0));
+    for (uint left = maps.square; left != 0u; left &= left - 1u) {
+        mark(findLSB(left), s);
+        add_map(findLSB(left), s, maps, sums);
+    }
+    for (uint left = needs_slanting_maps(sums) ? maps.slanting : 0u; left != 0u; left &= left - 1u) {
+        mark(findLSB(left), s);
     }
 }
 #else
@@ -71,7 +83,6 @@ layout(std430, binding = 3) buffer OpenTotals {
     uint open_count;
     uint open_low_x, open_low_y, open_high_x, open_high_y;
 };
-#include "include/exit_light.glsl"
 #endif
 
 uniform vec3 diffuse_reflectance;  // of the matter, for light from all sides

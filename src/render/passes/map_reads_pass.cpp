@@ -83,17 +83,20 @@ void MapReadsPass::draw(const PassAccess& access, const Parameters& parameters) 
     });
     for (const Body& body : parameters.bodies) {
         const ExitMaps& exits = access.read(body.exits);
-        gl::Texture& marks = out.of[body.name];
-        if (!marks || marks.size() != exits.depth.size()) {
-            marks = gl::Texture::make_2d_array("map reads", GL_R8UI, exits.depth.size());
-            marks.set_nearest();
+        gl::Buffer& marks = out.of[body.name];
+        const std::size_t bytes = std::max(1U, exits.words()) * sizeof(std::uint32_t);
+        if (marks.bytes() != bytes) {
+            marks = gl::Buffer("map reads", bytes);
         }
-        const std::uint8_t unread = 0;
-        glClearTexImage(marks.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, &unread);
-        glBindImageTexture(0, marks.name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R8UI);
+        const std::uint32_t unread = 0;
+        glClearNamedBufferData(marks.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &unread);
+        marks.bind_storage(2);
         exits.bind_cameras();
+        exits.depth.bind(0);
+        program.set("exit_depth", 0);
         program.set("exit_count", exits.maps);
         program.set("last_texel", exits.depth.size().x - 1);
+        program.set("row_words", int(exits.row_words()));
         set_body(program, body.body_from_model);
         const PlacedMesh& mesh = parameters.meshes[body.mesh];
         const MeshBuffers& buffers = access.read(mesh.buffers);
@@ -104,7 +107,7 @@ void MapReadsPass::draw(const PassAccess& access, const Parameters& parameters) 
     glFrontFace(GL_CCW);
     glDepthMask(GL_TRUE);
     glDisable(GL_DEPTH_TEST);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     access.note(fmt::format("{} x {} pixels", parameters.pixels.x, parameters.pixels.y));
 }
 

@@ -112,8 +112,6 @@ void OpaquePass::set_inside(const PassAccess& access, gl::Program& program, cons
     const TranslucentPasses::Shown& shown = *input.inside.shown;
     const ExitMaps& exits = access.read(shown.exits);
     exits.bind_cameras();
-    exits.depth.bind(1);
-    program.set("exit_depth", 1);
     access.read(shown.radiosity).mean.bind(2);
     program.set("radiosity", 2);
     program.set("exit_count", exits.maps);

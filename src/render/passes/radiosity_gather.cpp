@@ -15,9 +15,12 @@ namespace {
 /// A job of its own, that no driver's watchdog takes for a hang; between them the time is looked at.
 constexpr std::uint32_t texels_per_job = 1U << 15;
 
-/// Work groups of 64 texels.
-std::uint32_t groups_of(std::uint32_t texels) {
-    return (texels + 63) / 64;
+/// A texel of each, where the picture looks any up, tells the noise of all of them to a few parts in a hundred.
+constexpr std::uint32_t most_noise_words = 1U << 15;
+
+/// Work groups of 64.
+std::uint32_t groups_of(std::uint32_t count) {
+    return (count + 63) / 64;
 }
 
 double ms_since(std::chrono::steady_clock::time_point then) {
@@ -31,44 +34,45 @@ struct Choice {
     std::uint32_t chosen = 0;   ///< those among them that have had as many as was said
 };
 
-void set_texels(gl::Program& program, const RadiosityMaps& maps, const RadiosityInput& input, GLuint unit) {
+void set_texels(gl::Program& program, const RadiosityMaps& maps, const RadiosityInput& input) {
     const ExitMaps& exits = input.exits;
     program.set("edge", unsigned(exits.depth.size().x));
-    program.set("texel_count", exits.texel_count);
-    exits.texels.bind_storage(5);
-    maps.passes_of.bind_storage(6);
+    program.set("row_words", exits.row_words());
+    program.set("word_count", exits.words());
     program.set("all_are_read", input.reads == nullptr ? 1 : 0);
-    if (input.reads != nullptr) {
-        input.reads->bind(unit);
-    }
-    program.set("reads", int(unit));
+    (input.reads != nullptr ? *input.reads : exits.see_body).bind_storage(2);
+    exits.see_body.bind_storage(5);
+    maps.passes_of.bind_storage(6);
+    maps.chosen.bind_storage(7);
 }
 
 /// Lists the texels that are read and have had `passes` passes.
 Choice choose(RadiosityMaps& maps, gl::ShaderLibrary& shaders, const RadiosityInput& input, int passes) {
     gl::Program& program = shaders.get("radiosity_choice.comp");
-    set_texels(program, maps, input, 0);
+    set_texels(program, maps, input);
     program.set("wanted_passes", unsigned(passes));
-    maps.chosen.bind_storage(7);
     std::array<Choice, 1> choice;
     maps.totals.fill(std::span<const Choice>(choice));
     maps.totals.bind_storage(3);
     program.use();
-    glDispatchCompute(groups_of(input.exits.texel_count), 1, 1);
+    glDispatchCompute(groups_of(input.exits.words()), 1, 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     maps.totals.read(std::span<Choice>(choice));
     return choice.front();
 }
 
+/// Of what a picture shows that looks up what is read: from texels spread over the maps, always the same ones.
 double measure_noise(const RadiosityMaps& maps, gl::ShaderLibrary& shaders, const RadiosityInput& input) {
-    const std::uint32_t groups = groups_of(input.exits.texel_count);
-    std::vector<glm::vec4> sums(std::max(1U, groups));
+    const std::uint32_t words = input.exits.words();
+    const std::uint32_t stride = std::max(1U, (words + most_noise_words - 1) / most_noise_words);
+    const std::uint32_t groups = groups_of((words + stride - 1) / stride);
+    std::vector<glm::vec4> sums(groups);
     const gl::Buffer buffer("noise of radiosity", std::span<const glm::vec4>(sums));
     gl::Program& program = shaders.get("radiosity_noise.comp");
-    set_texels(program, maps, input, 1);
+    set_texels(program, maps, input);
     glBindImageTexture(0, maps.mean.name(), 0, GL_TRUE, 0, GL_READ_ONLY, GL_RGBA32F);
-    input.exits.depth.bind(0);
-    program.set("exit_depth", 0);
+    glBindImageTexture(1, maps.variance.name(), 0, GL_TRUE, 0, GL_READ_ONLY, GL_R32F);
+    program.set("stride", stride);
     buffer.bind_storage(4);
     // The first turn tells how bright the body is on the whole, the second what is noise.
     double texels = 0.0, mean = 0.0, squares = 0.0;
@@ -131,9 +135,9 @@ class Pass {
         input_.exits.normals.bind(1);
         program_.set("exit_normals", 1);
         glBindImageTexture(0, maps_.mean.name(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_RGBA32F);
+        glBindImageTexture(1, maps_.variance.name(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32F);
         program_.set("edge", unsigned(input_.exits.depth.size().x));
         program_.set("passes_before", maps_.passes);
-        input_.exits.texels.bind_storage(5);
         maps_.passes_of.bind_storage(6);
         maps_.chosen.bind_storage(7);
         program_.use();
@@ -157,11 +161,18 @@ bool noise_is_due(const RadiosityMaps& maps) {
 void begin_radiosity(RadiosityMaps& maps, const ExitMaps& exits, Revision start) {
     if (!maps.mean || maps.mean.size() != exits.depth.size()) {
         maps.mean = gl::Texture::make_2d_array("radiosity", GL_RGBA32F, exits.depth.size());
+        maps.variance = gl::Texture::make_2d_array("variance of radiosity", GL_R32F, exits.depth.size());
     }
-    const std::size_t bytes = std::max<std::size_t>(1, exits.texel_count) * sizeof(std::uint32_t);
-    if (maps.passes_of.bytes() != bytes) {
-        maps.passes_of = gl::Buffer("passes of texels", bytes);
-        maps.chosen = gl::Buffer("chosen texels", bytes);
+    const float nothing_there[4] = {0.0F, 0.0F, 0.0F, 1e30F};
+    glClearTexImage(maps.mean.name(), 0, GL_RGBA, GL_FLOAT, nothing_there);
+    const glm::dvec3 size(exits.depth.size());
+    const std::size_t all = std::size_t(size.x * size.y * size.z) * sizeof(std::uint32_t);
+    if (maps.passes_of.bytes() != all) {
+        maps.passes_of = gl::Buffer("passes of texels", all);
+    }
+    const std::size_t seen = std::max<std::size_t>(1, exits.texel_count) * sizeof(std::uint32_t);
+    if (maps.chosen.bytes() != seen) {
+        maps.chosen = gl::Buffer("chosen texels", seen);
     }
     if (!maps.totals) {
         const std::array<Choice, 1> none;

@@ -12,7 +12,8 @@ namespace bruma::render {
 /// The light that leaves at each texel of the exit maps: a mean over passes. Texels that no pixel has looked up yet
 /// have none; what one is given depends on nothing but its place and how many passes it has had.
 struct RadiosityMaps {
-    gl::Texture mean;               ///< RGBA32F array, see radiosity.comp
+    gl::Texture mean;               ///< RGBA32F array, alpha: depth, mm; see radiosity.comp
+    gl::Texture variance;           ///< R32F array, of the means
     gl::Buffer passes_of;           ///< that each of the exit maps' texels has had
     gl::Buffer chosen;              ///< texels of the pass under way
     gl::Buffer totals;              ///< see radiosity_choice.comp
@@ -29,7 +30,7 @@ struct RadiosityMaps {
 struct RadiosityInput {
     const LightMaps& light;
     const ExitMaps& exits;
-    const gl::Texture* reads = nullptr;  ///< of MapReads; null: all texels are wanted
+    const gl::Buffer* reads = nullptr;  ///< of MapReads; null: all texels are wanted
     const SubsurfaceConstants& constants;
     const scene::SubsurfaceSettings& settings;
     const std::vector<glm::dvec3>& powers;  ///< of the lamps

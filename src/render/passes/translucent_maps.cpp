@@ -79,16 +79,26 @@ void draw_shades(gl::ShaderLibrary& shaders, const std::vector<SeenShade>& shade
     glDisable(GL_DEPTH_CLAMP);
 }
 
-/// Texels of one map that see the body, read back once per shape so that no shader starts for those beside it.
-void append_texels(std::vector<std::uint32_t>& texels, const gl::Texture& depth, int map, std::vector<float>& depths) {
-    const auto before = std::uint32_t(std::size_t(map) * depths.size());  // 32 maps of 4096^2 leave room
-    glGetTextureSubImage(depth.name(), 0, 0, 0, map, depth.size().x, depth.size().y, 1, GL_DEPTH_COMPONENT, GL_FLOAT,
+/// Which texels of one map see the body, read back once per shape so that no shader starts for those beside it. Returns
+/// how many.
+std::uint32_t append_texels(std::vector<std::uint32_t>& words, const gl::Texture& depth, int map,
+                            std::vector<float>& depths) {
+    const int edge = depth.size().x;
+    glGetTextureSubImage(depth.name(), 0, 0, 0, map, edge, edge, 1, GL_DEPTH_COMPONENT, GL_FLOAT,
                          GLsizei(depths.size() * sizeof(float)), depths.data());
-    for (std::uint32_t n = 0; n < depths.size(); ++n) {
-        if (depths[n] < 1.0F) {
-            texels.push_back(before + n);
+    std::uint32_t count = 0;
+    for (int y = 0; y < edge; ++y) {
+        for (int x = 0; x < edge; ++x) {
+            if (x % 32 == 0) {
+                words.push_back(0);
+            }
+            if (depths[std::size_t(y) * std::size_t(edge) + std::size_t(x)] < 1.0F) {
+                words.back() |= 1U << (x % 32);
+                ++count;
+            }
         }
     }
+    return count;
 }
 
 }  // namespace
@@ -161,9 +171,10 @@ std::string draw_exit_maps(ExitMaps& out, gl::ShaderLibrary& shaders, const Seen
     start_drawing();
     gl::Program& program = shaders.get("exit_map.frag");
     std::vector<ExitCameraData> cameras;
-    std::vector<std::uint32_t> texels;
+    std::vector<std::uint32_t> words;
     std::vector<float> depths(std::size_t(size) * std::size_t(size));
     out.texel_mm = 0.0;
+    out.texel_count = 0;
     for (int map = 0; map < maps; ++map) {
         const MapCamera camera = parallel_camera(points, halton_direction(unsigned(map) + 1), size);
         const gl::Framebuffer target("exit map", {{&out.normals, map}}, {&out.depth, map});
@@ -175,16 +186,15 @@ std::string draw_exit_maps(ExitMaps& out, gl::ShaderLibrary& shaders, const Seen
         cameras.push_back({glm::vec4(camera.right, camera.low.x), glm::vec4(camera.up, camera.low.y),
                            glm::vec4(camera.back, camera.near_depth), glm::vec4(camera.texel, camera.depth, 0.0)});
         out.texel_mm = std::max(out.texel_mm, std::max(camera.texel.x, camera.texel.y));
-        append_texels(texels, out.depth, map, depths);
+        out.texel_count += append_texels(words, out.depth, map, depths);
     }
     glDisable(GL_DEPTH_TEST);
     out.maps = maps;
-    out.texel_count = std::uint32_t(texels.size());
     // Buffers are never empty.
     cameras.resize(32);  // as many as the shaders have room for
-    texels.push_back(0);
+    words.push_back(0);
     out.cameras = gl::Buffer("exit cameras", std::span<const ExitCameraData>(cameras));
-    out.texels = gl::Buffer("exit texels", std::span<const std::uint32_t>(texels));
+    out.see_body = gl::Buffer("exit texels", std::span<const std::uint32_t>(words));
     return fmt::format("{} maps of {} x {} texels, {:.3g} mm at most", maps, size, size, out.texel_mm);
 }
 

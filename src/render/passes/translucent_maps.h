@@ -31,18 +31,20 @@ struct ExitMaps {
     gl::Texture depth;              ///< depth array, 1 where nothing is
     gl::Texture normals;            ///< RG16 array, octahedral
     gl::Buffer cameras;             ///< for include/exit_maps.glsl
-    gl::Buffer texels;              ///< those that see the body, map after map: x + (y + map * edge) * edge
+    gl::Buffer see_body;            ///< texels that do, bits of include/exit_texels.glsl
     std::uint32_t texel_count = 0;  ///< of these
     double texel_mm = 0.0;          ///< largest
     int maps = 0;
+    /// Words of 32 bits that hold one bit for each texel of a row, and of all rows.
+    std::uint32_t row_words() const { return (std::uint32_t(depth.size().x) + 31) / 32; }
+    std::uint32_t words() const { return row_words() * std::uint32_t(depth.size().y) * std::uint32_t(depth.size().z); }
     /// For include/exit_maps.glsl.
     void bind_cameras() const { glBindBufferBase(GL_UNIFORM_BUFFER, 1, cameras.name()); }
 };
 
-/// Which texels the camera's pixels look up, of each body by name: R8UI arrays as large as the maps, 1 in the middle of
-/// each 3 x 3.
+/// Which texels the camera's pixels look up, of each body by name: bits of include/exit_texels.glsl.
 struct MapReads {
-    std::map<std::string, gl::Texture> of;
+    std::map<std::string, gl::Buffer> of;
 };
 
 /// A body ready to be looked at.

@@ -144,7 +144,7 @@ void TranslucentPasses::gather(const PassAccess& access, const Shown& shown, Han
             "subsurface.light_map_size is truer beside shadow borders",
             node_name_, light.coarsest_texel_mm, shortest_mm);
     }
-    const gl::Texture* const read = reads.index >= 0 ? &access.read(reads).of.at(node_name_) : nullptr;
+    const gl::Buffer* const read = reads.index >= 0 ? &access.read(reads).of.at(node_name_) : nullptr;
     access.note(
         gather_radiosity(out, shaders_, {light, exits, read, shown.constants, shown.settings, shown.powers}, goal));
 }
