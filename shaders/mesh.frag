@@ -42,7 +42,11 @@ void mark(int n, BodySurface s)
     ivec2 high = clamp(ivec2(floor(place + slack_of_place)), ivec2(0), ivec2(last_texel));
     for (int y = low.y; y <= high.y; ++y) {
         for (int x = low.x; x <= high.x; ++x) {
-            atomicOr(reads[x / 32 + (y + n * (last_texel + 1)) * row_words], 1u << (x % 32));
+            int word = x / 32 + (y + n * (last_texel + 1)) * row_words;
+            uint bit = 1u << (x % 32);
+            if ((reads[word] & bit) == 0u) {  // dear where it is there already
+                atomicOr(reads[word], bit);
+            }
         }
     }
 }
@@ -52,13 +56,18 @@ void main()
     find_covered_part();
     BodySurface s = body_surface();
     MapsAround maps = maps_around(s, slack_of_place);
-    ExitSums sums = ExitSums(vec4(0.0), vec4(0.0));
     for (uint left = maps.square; left != 0u; left &= left - 1u) {
         mark(findLSB(left), s);
-        add_map(findLSB(left), s, maps, sums);
     }
-    for (uint left = needs_slanting_maps(sums) ? maps.slanting : 0u; left != 0u; left &= left - 1u) {
-        mark(findLSB(left), s);
+    // The squarest map most often sees enough; the others are asked until they do.
+    ExitSums sums = ExitSums(vec4(0.0), vec4(0.0));
+    uint left = maps.square & ~(1u << maps.best);
+    for (int n = maps.best; n >= 0 && needs_slanting_maps(sums); left &= left - 1u) {
+        add_map(n, s, maps, sums);
+        n = findLSB(left);
+    }
+    for (uint slanting = needs_slanting_maps(sums) ? maps.slanting : 0u; slanting != 0u; slanting &= slanting - 1u) {
+        mark(findLSB(slanting), s);
     }
 }
 #else

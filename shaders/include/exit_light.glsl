@@ -1,6 +1,6 @@
 // The light from inside at a visible point of a translucent body, out of the maps around it. Needs
 // include/body_surface.glsl and include/exit_maps.glsl; mm.
-// MAP_READS: only which texels those are.
+// EXIT_MAPS: at least as many as there are. MAP_READS: only which texels those are.
 
 // Below this, what maps say is too coarse: one of them sees the point, slantingly or past an edge.
 const float seen_well = 0.02;
@@ -65,7 +65,8 @@ vec4 seen_by(int n, BodySurface s)
 
 // The maps that see a point, as bits. Loops over bits end; in software, branches not taken cost as much as those taken.
 struct MapsAround {
-    float squarest;   // cosine of the one that sees it best
+    int best;         // the squarest
+    float squarest;   // its cosine
     float least;      // that counts beside it
     uint square;      // of at least that
     uint slanting;    // of less
@@ -73,15 +74,18 @@ struct MapsAround {
 
 MapsAround maps_around(BodySurface s, float slack_of_cosine)
 {
-    MapsAround maps = MapsAround(-1.0, 0.0, 0u, 0u);
-    for (int n = 0; n < exit_count; ++n) {
-        maps.squarest = max(maps.squarest, exit_cosine(exit_cameras[n], s.normal, s.facet));
+    // With counts that are known when this is compiled, cameras are read once and not by each pixel.
+    float cosines[EXIT_MAPS];
+    MapsAround maps = MapsAround(0, -1.0, 0.0, 0u, 0u);
+    for (int n = 0; n < EXIT_MAPS; ++n) {
+        cosines[n] = exit_cosine(exit_cameras[n], s.normal, s.facet);
+        maps.best = cosines[n] > maps.squarest ? n : maps.best;
+        maps.squarest = max(maps.squarest, cosines[n]);
     }
     maps.least = max(least_cosine, share_of_squarest * maps.squarest);
-    for (int n = 0; n < exit_count; ++n) {
-        float cosine = exit_cosine(exit_cameras[n], s.normal, s.facet);
-        maps.square |= cosine >= maps.least - slack_of_cosine ? 1u << n : 0u;
-        maps.slanting |= cosine >= least_cosine - slack_of_cosine ? 1u << n : 0u;
+    for (int n = 0; n < EXIT_MAPS; ++n) {
+        maps.square |= cosines[n] >= maps.least - slack_of_cosine ? 1u << n : 0u;
+        maps.slanting |= cosines[n] >= least_cosine - slack_of_cosine ? 1u << n : 0u;
     }
     maps.slanting &= ~maps.square;
     return maps;

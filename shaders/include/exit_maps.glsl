@@ -6,8 +6,7 @@ struct ExitCamera {
     vec4 back;   // unit, towards the camera; w: -back . p of depth 0
     vec4 size;   // xy: of a texel; z: depth 1 less depth 0
 };
-layout(std140, binding = 1) uniform ExitCameras { ExitCamera exit_cameras[32]; };
-uniform int exit_count;
+layout(std140, binding = 1) uniform ExitCameras { ExitCamera exit_cameras[32]; };  // 0 behind the last
 
 // Seen more slantingly than this, texels are stretched too far.
 const float least_cosine = 0.08;

@@ -73,9 +73,6 @@ void MapReadsPass::draw(const PassAccess& access, const Parameters& parameters) 
     if (samples > 1) {
         defines["SAMPLES"] = std::to_string(samples);
     }
-    gl::Program& program = shaders_.get("mesh.frag", defines);
-    set_sample_places(program, samples);
-    view.set(program, parameters.pixels);
     MapReads& out = access.write(reads);
     std::erase_if(out.of, [&](const auto& entry) {
         return std::none_of(parameters.bodies.begin(), parameters.bodies.end(),
@@ -93,8 +90,11 @@ void MapReadsPass::draw(const PassAccess& access, const Parameters& parameters) 
         marks.bind_storage(2);
         exits.bind_cameras();
         exits.depth.bind(0);
+        defines["EXIT_MAPS"] = exits.room();
+        gl::Program& program = shaders_.get("mesh.frag", defines);
+        set_sample_places(program, samples);
+        view.set(program, parameters.pixels);
         program.set("exit_depth", 0);
-        program.set("exit_count", exits.maps);
         program.set("last_texel", exits.depth.size().x - 1);
         program.set("row_words", int(exits.row_words()));
         set_body(program, body.body_from_model);

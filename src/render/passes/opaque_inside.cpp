@@ -54,7 +54,9 @@ std::uint32_t OpaquePass::draw_translucent(const PassAccess& access, const Param
     };
     glBindImageTexture(0, out.open.name(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
     buffer.bind_storage(3);
+    defines["EXIT_MAPS"] = access.read(input.inside.shown->exits).room();
     draw();
+    defines.erase("EXIT_MAPS");
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     buffer.read(std::span<OpenTotals>(totals));
     const OpenTotals& open = totals.front();
@@ -114,7 +116,6 @@ void OpaquePass::set_inside(const PassAccess& access, gl::Program& program, cons
     exits.bind_cameras();
     access.read(shown.radiosity).mean.bind(2);
     program.set("radiosity", 2);
-    program.set("exit_count", exits.maps);
     set_entry(program, access.read(shown.light), shown.constants, shown.powers, 3, lamps);
     program.set("diffuse_reflectance", glm::vec3(shown.constants.diffuse_reflectance));
     set_entry_points(program, 0, points_in_turn);

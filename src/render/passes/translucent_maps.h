@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -38,6 +39,8 @@ struct ExitMaps {
     /// Words of 32 bits that hold one bit for each texel of a row, and of all rows.
     std::uint32_t row_words() const { return (std::uint32_t(depth.size().x) + 31) / 32; }
     std::uint32_t words() const { return row_words() * std::uint32_t(depth.size().y) * std::uint32_t(depth.size().z); }
+    /// EXIT_MAPS of include/exit_light.glsl: few different ones, since each is a shader of its own.
+    std::string room() const { return std::to_string(std::max(8, (maps + 7) / 8 * 8)); }
     /// For include/exit_maps.glsl.
     void bind_cameras() const { glBindBufferBase(GL_UNIFORM_BUFFER, 1, cameras.name()); }
 };
