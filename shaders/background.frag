@@ -4,6 +4,7 @@
 #include "include/opaque.glsl"
 #ifdef SHAFTS
 #include "include/view_ray.glsl"
+#include "include/cloud_shadow.glsl"
 #else
 uniform vec2 pixels;
 #endif

@@ -14,6 +14,7 @@ vec2 cell_centre = vec2(0.0);
 
 layout(rgba16f, binding = 0) writeonly uniform image3D missing;
 layout(rgba16f, binding = 1) writeonly uniform image3D missing_share;  // of all the air's light up to there
+layout(rgba16f, binding = 2) writeonly uniform image3D ground;  // what lit ground at that distance would send to the eye
 uniform mat3 world_from_camera;
 uniform float eye_altitude;
 uniform vec3 to_sun;
@@ -53,6 +54,12 @@ Glow glow_at(vec3 middle, float segment, float rayleigh_phase, float haze_phase)
                 exp(-segment * point.extinction));
 }
 
+vec3 sun_from_ground(vec3 at)
+{
+    float sun_climb = dot(up_at(at), to_sun);
+    return air.ground_albedo * 0.318309886 * max(sun_climb, 0.0) * sun_transmittance(0.0, sun_climb);
+}
+
 void main()
 {
     ivec3 size = imageSize(missing);
@@ -83,6 +90,7 @@ void main()
     float low = shaft_distance(0.0);
     imageStore(missing, ivec3(column, 0), vec4(0.0));
     imageStore(missing_share, ivec3(column, 0), vec4(0.0));
+    imageStore(ground, ivec3(column, 0), vec4(passed * sun_from_ground(start + low * direction), 0.0));
     for (int k = 1; k < size.z; ++k) {
         float high = shaft_distance(float(k) / float(size.z - 1));
         Glow glow = glow_at(start + 0.5 * (low + high) * direction, high - low, rayleigh, haze);
@@ -95,6 +103,7 @@ void main()
         passed *= glow.transmittance;
         imageStore(missing, ivec3(column, k), vec4(sum, 0.0));
         imageStore(missing_share, ivec3(column, k), vec4(sum / max(all, 1e-20), 0.0));
+        imageStore(ground, ivec3(column, k), vec4(passed * sun_from_ground(start + high * direction), 0.0));
         low = high;
     }
 }

@@ -9,6 +9,9 @@
 #include "include/random.glsl"
 #include "include/optical_depth.glsl"
 #include "include/ray_box.glsl"
+#ifdef CLOUD_SHADOWS
+#include "include/cloud_shadow.glsl"
+#endif
 #include "include/volume.glsl"
 #include "include/march.glsl"
 #include "include/view_ray.glsl"

@@ -1,5 +1,6 @@
 // Layers of clouds before and behind what else is in the picture, by their mean distances: exact where their stretches
-// along the ray do not overlap. CLOUDS: how many layers. SHAFTS: air that their shadows cross; needs view_ray.glsl.
+// along the ray do not overlap. CLOUDS: how many layers. SHAFTS: air and ground that their shadows cross; needs
+// view_ray.glsl and CLOUD_SHADOWS.
 
 uniform sampler2D cloud_radiance[CLOUDS];  // added radiance; alpha: transmittance
 uniform sampler2D cloud_distance[CLOUDS];  // metres
@@ -13,7 +14,7 @@ uniform float metres_per_step;
 vec4 with_clouds(vec4 matter, float matter_at, float end, vec4 behind)
 {
 #ifdef SHAFTS
-    behind.rgb -= missing_light(behind.rgb, mix(shafts_background, 1.0, behind.a), end_of_ray(behind.a));
+    behind.rgb = without_missing_light(behind);
 #endif
     vec4 parts[CLOUDS + 1];
     float at[CLOUDS + 1];

@@ -128,9 +128,6 @@ float sigma_at(int m, vec3 x)
 
 #ifdef LIT
 #include "include/lights.glsl"
-#ifdef CLOUD_SHADOWS
-#include "include/cloud_shadow.glsl"
-#endif
 #if defined(REFLECT) || defined(SURFACES)
 #include "include/gradient_shading.glsl"
 #endif

@@ -51,10 +51,6 @@ double scattering_octaves(double mu, double sun_optical_depth, const scene::Clou
 
 namespace {
 
-double mean_asymmetry(const scene::CloudOptics& optics) {
-    return optics.forward_share * optics.forward_g + (1.0 - optics.forward_share) * optics.backward_g;
-}
-
 /// What many scatterings of albedo below 1 leave; their number is about the optical depth.
 double not_absorbed(const CloudDepths& depths, const scene::CloudOptics& optics) {
     return 1.0 / (1.0 + (1.0 - optics.albedo) * (depths.up + depths.down));
@@ -63,7 +59,7 @@ double not_absorbed(const CloudDepths& depths, const scene::CloudOptics& optics)
 }  // namespace
 
 double scattered_again(double mu, double sun_climb, const CloudDepths& depths, const scene::CloudOptics& optics) {
-    const double reduced = 1.0 - mean_asymmetry(optics);
+    const double reduced = 1.0 - scene::mean_asymmetry(optics);
     const double whole = reduced * (depths.up + depths.down);
     const double leak = (reduced * depths.down + 1.7) / (reduced * (depths.sun + depths.down) + 3.4);
     const double ahead = 0.77 * dual_lobe(mu, optics, 0.77) * std::exp(-0.32 * depths.sun);
@@ -72,8 +68,13 @@ double scattered_again(double mu, double sun_climb, const CloudDepths& depths, c
 }
 
 double share_from_above(const CloudDepths& depths, const scene::CloudOptics& optics) {
-    const double reduced = 1.0 - mean_asymmetry(optics);
+    const double reduced = 1.0 - scene::mean_asymmetry(optics);
     return (reduced * depths.down + 1.1) / (reduced * (depths.up + depths.down) + 2.2);
+}
+
+double light_on_ground_below_clouds(double sun_depth, double sun_climb, const scene::CloudOptics& optics) {
+    const double depth = (1.0 - scene::mean_asymmetry(optics)) * sun_depth * sun_climb;
+    return (2.0 / 3.0 + sun_climb + (2.0 / 3.0 - sun_climb) * std::exp(-depth / sun_climb)) / (4.0 / 3.0 + depth);
 }
 
 void CloudLight::set_uniform_sky(const glm::dvec3& radiance) {
@@ -95,7 +96,7 @@ glm::dvec3 ambient_source(const CloudLight& light, const glm::dvec3& up_world, d
 glm::dvec3 diffused_ambient_source(const CloudLight& light, const glm::dvec3& up_world, const CloudDepths& depths,
                                    const scene::CloudOptics& optics) {
     const double above = share_from_above(depths, optics);
-    const double reduced = 1.0 - mean_asymmetry(optics);
+    const double reduced = 1.0 - scene::mean_asymmetry(optics);
     const double shade = 1.0 / (1.0 + 0.25 * reduced * (depths.up + depths.down));
     const double climb = std::max(0.0, glm::dot(up_world, light.to_sun_world));
     const glm::dvec3 on_ground = light.sun_irradiance(0.0) * climb + light.sky_planar_irradiance;

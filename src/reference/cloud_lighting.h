@@ -55,6 +55,11 @@ struct CloudDepths {
 /// points, altocumulus among them, the mean of all light of a genus is within 12 %.
 double scattered_again(double mu, double sun_climb, const CloudDepths& depths, const scene::CloudOptics& optics);
 
+/// Share of the sun's light that reaches level ground below clouds, what they scatter down included, where the optical
+/// depth towards the sun (sine of its elevation) is this: Eddington's approximation for a level layer over black ground
+/// (Shettle and Weinman 1970), which knows no light that comes in from beside. Of matter that absorbs nothing.
+double light_on_ground_below_clouds(double sun_depth, double sun_climb, const scene::CloudOptics& optics);
+
 /// Share of a random walk's ends above the cloud, from the same points.
 double share_from_above(const CloudDepths& depths, const scene::CloudOptics& optics);
 

@@ -61,7 +61,7 @@ void CloudShadows::set(const PassAccess& access, gl::Program& program, const glm
     program.set("cloud_lamp", lamp);
     program.set("cloud_metres", glm::vec2(unit_world, eye_world.y));
     for (int n = 0; n < int(layers.size()); ++n) {
-        const auto& [layer, time_s, depths] = layers[std::size_t(n)];
+        const auto& [layer, time_s, turned, depths] = layers[std::size_t(n)];
         const CloudSunDepths& grid = access.read(depths);
         grid.depths.bind(unit);
         program.set_at("cloud_depths", n, "", int(unit++));
@@ -69,6 +69,7 @@ void CloudShadows::set(const PassAccess& access, gl::Program& program, const glm
         program.set_at("cloud_shades", n, ".scale", float(1.0 / layer.weather_tile_m));
         program.set_at("cloud_shades", n, ".band", glm::vec2(grid.band.low_m, grid.band.high_m));
         program.set_at("cloud_shades", n, ".box", sides(layer, eye_world));
+        program.set_at("cloud_shades", n, ".turned", float(turned));
     }
 }
 
@@ -79,8 +80,8 @@ CloudShadows cloud_shadows(const scene::Scene& scene, const std::vector<std::str
     shadows.lean = sun_lean(sun_direction_world(scene));
     for (std::size_t n = 0; shadows.lamp >= 0 && n < std::min(shown.size(), most_shadow_layers); ++n) {
         const auto& clouds = std::get<scene::Clouds>(scene.nodes.at(shown[n]).content);
-        shadows.layers.push_back(
-            {*clouds.layer, clouds.layer->wind_speed_m_s > 0.0 ? scene.time->now_s : 0.0, depths[n]});
+        shadows.layers.push_back({*clouds.layer, clouds.layer->wind_speed_m_s > 0.0 ? scene.time->now_s : 0.0,
+                                  1.0 - scene::mean_asymmetry(*clouds.optics), depths[n]});
     }
     return shadows;
 }

@@ -7,11 +7,12 @@
 namespace bruma::render {
 
 /// Clouds before the lamp that lights them, for passes that draw what stands in that light: include/cloud_shadow.glsl.
-/// They take its direct light only; what they scatter down adds nothing.
+/// They take its direct light only; what they scatter down adds nothing but on the sky's own ground.
 struct CloudShadows {
     struct Layer {
         scene::CloudLayer layer;
         double time_s = 0.0;  ///< 0 without wind
+        double turned = 1.0;  ///< 1 less the mean cosine of scattering
         Handle<CloudSunDepths> depths;
         bool operator==(const Layer&) const = default;
     };

@@ -128,4 +128,9 @@ void visit_fields(Self& optics, Visitor&& visit) {
           optics.cone_spread);
 }
 
+/// Mean cosine of a scattering by the two lobes.
+inline double mean_asymmetry(const CloudOptics& optics) {
+    return optics.forward_share * optics.forward_g + (1.0 - optics.forward_share) * optics.backward_g;
+}
+
 }  // namespace bruma::scene

@@ -2,6 +2,7 @@
 // bars. Samples are fixed by their counters, so that a test that passes once passes always.
 #include "reference/cloud_monte_carlo.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
@@ -61,6 +62,45 @@ TEST(CloudMonteCarlo, AirBeforeTheCloud) {
     EXPECT_NEAR(met, 1.0 - std::exp(-1.0), bars * std::sqrt(0.25 / 4000.0));
     EXPECT_GE(nearest, 1000.0);
     EXPECT_LE(farthest, 1100.0 + 1e-6);
+}
+
+// Shelf: random paths. What of the sun's light reaches the ground, straight and scattered, in the mean over places: the
+// model that pictures take against paths of all orders from there, cosine-weighted.
+TEST(CloudMonteCarlo, LightOnTheGroundBelowClouds) {
+    for (const scene::CloudType type :
+         {scene::CloudType::cumulus, scene::CloudType::stratocumulus, scene::CloudType::stratus}) {
+        for (const double climb : {0.85, 0.35}) {
+            const std::vector<CloudMedium> media{preset_medium(type, {0.0, 2.0, 0.0})};
+            CloudLight light;
+            light.to_sun_world = {std::sqrt(1.0 - climb * climb), climb, 0.0};
+            light.sun_irradiance = [](double) { return glm::dvec3(1.0); };
+            light.ground_albedo = glm::dvec3(0.0);
+            double model = 0.0, straight = 0.0, paths = 0.0, squares = 0.0;
+            constexpr int points = 400;
+            for (int n = 0; n < points; ++n) {
+                const auto u = [&](double step) { return std::fmod(0.5 + step * n, 1.0); };  // Kronecker's points
+                const glm::dvec3 at(20e3 * u(0.7548776662), 0.0, 20e3 * u(0.5698402910));
+                const double depth = optical_depth(media, at, light.to_sun_world, 64);
+                model += light_on_ground_below_clouds(depth, climb, media[0].optics) / points;
+                straight += std::exp(-depth) / points;
+                const double s = u(0.4301597090), phi = 2.0 * std::numbers::pi * u(0.8191725134);
+                const glm::dvec3 toward(std::sqrt(s) * std::cos(phi), std::sqrt(1.0 - s), std::sqrt(s) * std::sin(phi));
+                const auto result =
+                    trace_paths(media, light, {at, toward, 0.0}, {.samples = 16, .pixel = std::uint32_t(n)});
+                const double share = std::exp(-depth) + std::numbers::pi * result.radiance.g / climb;
+                paths += share / points;
+                squares += share * share / points;
+            }
+            const double error = std::sqrt((squares - paths * paths) / points);
+            EXPECT_NEAR(model, paths, 3.0 * error) << "preset " << int(type) << ", sun at " << climb;
+            EXPECT_LE(error, 0.03);
+            if (type != scene::CloudType::stratus) {
+                EXPECT_GT(paths, straight + 6.0 * error) << "there is scattered light to miss";
+            }
+            RecordProperty(fmt::format("preset_{}_{}", int(type), climb),
+                           fmt::format("model {:.3f}, paths {:.3f} +- {:.3f}", model, paths, error));
+        }
+    }
 }
 
 /// Chandrasekhar's H function of isotropic scattering (Radiative Transfer, 1960, chapter V), at midpoints in mu.

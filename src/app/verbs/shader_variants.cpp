@@ -46,11 +46,12 @@ const Variants one_or_two_volumes{{{"VOLUMES", "1"}}, {{"VOLUMES", "2"}}};
 const Variants lamps{{{"DIRECTIONAL_LIGHTS", "1"}, {"POINT_LIGHTS", "1"}}};
 const Variants sun{{{"DIRECTIONAL_LIGHTS", "1"}, {"POINT_LIGHTS", "0"}}};
 const Variants shadows_of_clouds{{{"CLOUD_SHADOWS", "1"}}, {{"CLOUD_SHADOWS", "2"}}};
+const Variants shafts = Variants{{}} + Variants{{{"SHAFTS", ""}}} * shadows_of_clouds;
 const Variants white_border{{{"BORDER_LIGHT", "vec3(1.0)"}}};
 
 Variants background_variants() {
     const Variants behind_clouds = with_and_without({"OPAQUE"}) * with_and_without({"SKY"}) *
-                                   Variants{{{"CLOUDS", "1"}}, {{"CLOUDS", "3"}}} * with_and_without({"SHAFTS"});
+                                   Variants{{{"CLOUDS", "1"}}, {{"CLOUDS", "3"}}} * shafts;
     return each_or_none({"OPAQUE", "SKY"}) + behind_clouds;
 }
 
@@ -69,7 +70,7 @@ Variants march_variants() {
     const Variants march = one_or_two_volumes * sampling * each_or_none({"LEAP", "STOP_EARLY", "COUNT", "OPAQUE"});
     // Sky and clouds stand in for what is behind, whatever the march does.
     const Variants behind = with_and_without({"OPAQUE"}) * with_and_without({"SKY"}) *
-                            Variants{{{"VOLUMES", "1"}, {"CLOUDS", "2"}}} * with_and_without({"SHAFTS"});
+                            Variants{{{"VOLUMES", "1"}, {"CLOUDS", "2"}}} * shafts;
     return (Variants{{}} + lit_variants()) * march + Variants{{{"VOLUMES", "1"}, {"SKY", ""}}} + behind +
            behind * lit_variants() * shadows_of_clouds;
 }
@@ -79,10 +80,11 @@ Variants mesh_variants() {
     const Variants around = with_and_without({"SHADOWS"}) * with_and_without({"SKY_LIGHT"}) * samples;
     const Variants points = Variants{{{"FROM_POINTS", ""}}} *
                             Variants{{}, {{"CUBE_LAMPS", ""}}, {{"STANDARD_DIPOLE", ""}}, {{"EXPONENTIAL_DISK", ""}}};
-    const Variants inside = Variants{{{"TRANSLUCENT", ""}}} * (Variants{{}} + points);
+    const Variants maps{{{"EXIT_MAPS", "8"}}, {{"EXIT_MAPS", "16"}}};
+    const Variants inside = Variants{{{"TRANSLUCENT", ""}}} * (maps + points);
     return Variants{{{"DEPTH_ONLY", ""}}, {{"THICKNESS", ""}}} +
            lamps * around * (Variants{{}} + inside) * (Variants{{}} + shadows_of_clouds) +
-           sun * shadows_of_clouds * inside + samples * Variants{{{"MAP_READS", ""}, {"TRANSLUCENT", ""}}};
+           sun * shadows_of_clouds * inside + samples * Variants{{{"MAP_READS", ""}, {"TRANSLUCENT", ""}}} * maps;
 }
 
 Variants sky_variants() {

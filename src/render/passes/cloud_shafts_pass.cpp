@@ -13,8 +13,8 @@ namespace bruma::render {
 namespace {
 
 // Rays along the picture's longer edge: at 42 degrees over 288 pixels of 512 they are as far apart as the grid of
-// light's columns 5 km away, and a pixel looks up its own distance, so that edges stay sharp. Steps begin at 86 m and
-// are as long as most clouds, 1 km, at 11 km.
+// light's columns 5 km away, and a pixel looks up its own distance, so that edges stay sharp. Fewer in small pictures
+// would be seen along a horizon under low clouds. Steps begin at 86 m and are as long as most clouds, 1 km, at 11 km.
 constexpr int rays_along = 80, slices = 64;
 constexpr double near_m = 1000.0, sample_m = 1000.0;
 
@@ -30,14 +30,16 @@ void CloudShafts::set(gl::Program& program, const scene::Camera& camera, glm::iv
     program.set("shafts_missing", int(unit++));
     missing_share.bind(unit);
     program.set("shafts_share", int(unit++));
+    ground.bind(unit);
+    program.set("shafts_ground", int(unit++));
     program.set("shafts.first", float(first_m));
     program.set("shafts.near", float(near_m));
     program.set("shafts.growth", float(growth));
     program.set("shafts_sun", glm::vec3(sun_irradiance));
     program.set("shafts_from_pixels", glm::vec2(1.0 / (glm::dvec2(missing.size()) * double(cell))));
     program.set("shafts_background", sky_has_air ? 1.0F : 0.0F);
-    program.set("shafts_eye", glm::vec4(frame.right_world.y, frame.up_world.y, frame.back_world.y,
-                                        std::max(1.0, camera.eye_world.y)));
+    program.set("shafts_axes", glm::mat3(glm::dmat3(frame.right_world, frame.up_world, frame.back_world)));
+    program.set("shafts_altitude", float(std::max(1.0, camera.eye_world.y)));
     program.set("shafts_planet_radius", float(planet_radius_m));
     program.set("orthographic", camera.projection == scene::Projection::orthographic ? 1 : 0);
     program.set("pixels", glm::vec2(pixels));
@@ -47,7 +49,8 @@ CloudShaftsPass::CloudShaftsPass(FrameGraph& graph, gl::ShaderLibrary& shaders) 
     camera_ = graph.add_source<scene::Camera>("camera");
     shader_revision_ = graph.add_source<int>("shaders");
     shafts = graph.add_product<CloudShafts>("light missing in air");
-    pass_ = graph.add_pass({"cloud_shafts", "light that air misses in the shadows of clouds", {}, {shafts.index}, {}});
+    pass_ = graph.add_pass(
+        {"cloud_shafts", "light that air and ground miss in the shadows of clouds", {}, {shafts.index}, {}});
 }
 
 void CloudShaftsPass::remove() {
@@ -92,6 +95,7 @@ void CloudShaftsPass::draw(const PassAccess& access, const Parameters& parameter
     if (!out.missing || out.missing.size() != size) {
         out.missing = gl::Texture::make_3d("light missing in air", GL_RGBA16F, size);
         out.missing_share = gl::Texture::make_3d("share of light missing in air", GL_RGBA16F, size);
+        out.ground = gl::Texture::make_3d("lit ground behind air", GL_RGBA16F, size);
     }
     gl::Defines defines;
     parameters.shadows.add_defines(defines);
@@ -114,6 +118,7 @@ void CloudShaftsPass::draw(const PassAccess& access, const Parameters& parameter
     program.use();
     glBindImageTexture(0, out.missing.name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA16F);
     glBindImageTexture(1, out.missing_share.name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA16F);
+    glBindImageTexture(2, out.ground.name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA16F);
     glDispatchCompute(GLuint((size.x + 7) / 8), GLuint((size.y + 7) / 8), 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
     access.note(fmt::format("{} x {} rays of {} steps", size.x, size.y, size.z - 1));

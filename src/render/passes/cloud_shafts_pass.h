@@ -10,6 +10,7 @@ namespace bruma::render {
 struct CloudShafts {
     gl::Texture missing;
     gl::Texture missing_share;  ///< of all the air's light
+    gl::Texture ground;         ///< the sun's light from ground at a distance, were it there
     double first_m = 0.0;       ///< where a ray can first be below the clouds' top
     double near_m = 1.0;        ///< beyond it by this much its steps are twice as long
     double growth = 1.0;
@@ -18,7 +19,7 @@ struct CloudShafts {
     double planet_radius_m = 0.0;
     bool sky_has_air = true;  ///< the picture of the sky has this air, and is no sky for comparison
 
-    /// Everything but the shader's view, which it shares. Binds two textures from `unit` on, which is moved.
+    /// Everything but the shader's view, which it shares. Binds three textures from `unit` on, which is moved.
     void set(gl::Program& program, const scene::Camera& camera, glm::ivec2 pixels, GLuint& unit) const;
 };
 

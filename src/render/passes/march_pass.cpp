@@ -107,6 +107,8 @@ void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const 
         for (const std::string& light : shining) {
             parameters.lights.push_back(*scene.lights.at(light));
         }
+    }
+    if (parameters.lit || shafts.index >= 0) {
         parameters.shadows = shadows;
         parameters.shadows.lamp = cloud_lamp(scene);  // among the lamps as they are counted here
         parameters.shadows.add_reads(reads);
@@ -133,6 +135,7 @@ gl::Program& MarchPass::program(const PassAccess& access, const Parameters& para
     if (parameters.shafts.index >= 0) {
         defines["SHAFTS"] = "";
     }
+    parameters.shadows.add_defines(defines);
     if (parameters.volumes.empty()) {
         return shaders_.get("background.frag", defines);
     }
@@ -140,7 +143,6 @@ gl::Program& MarchPass::program(const PassAccess& access, const Parameters& para
     if (parameters.lit) {
         defines["LIT"] = "";
         count_lights(defines, parameters.lights);
-        parameters.shadows.add_defines(defines);
         std::int64_t near_steps = 0;
         std::set<std::pair<bool, bool>> shadings;  // two-sided, Blinn's highlight
         for (const VolumeInput& input : parameters.volumes) {
@@ -222,12 +224,14 @@ void MarchPass::draw(const PassAccess& access, const Parameters& parameters, boo
         shader.set_at("cloud_distance", int(n), "", int(unit++));
     }
     shader.set("metres_per_step", float(h));
+    parameters.shadows.set(access, shader, camera.eye_world, h, unit);
+    unit += GLuint(parameters.shadows.layers.size());
     if (parameters.shafts.index >= 0) {
         access.read(parameters.shafts).set(shader, access.read(camera_), pixels, unit);
         shader.set("half_view", glm::vec2(half_view(camera, pixels, h)));
+        shader.set("shafts_skipped", float(parameters.skipped_distance));
         if (parameters.opaque.index >= 0) {
-            shader.set("shafts_surface",
-                       glm::vec2(access.read(parameters.opaque).layers.unit_world, parameters.skipped_distance));
+            shader.set("shafts_surface", float(access.read(parameters.opaque).layers.unit_world));
         }
     }
     if (!parameters.volumes.empty()) {
@@ -256,8 +260,6 @@ void MarchPass::draw(const PassAccess& access, const Parameters& parameters, boo
             const scene::CameraFrame frame = scene::camera_frame(camera);
             shader.set("world_from_camera", glm::mat3(glm::dmat3(frame.right_world, frame.up_world, frame.back_world)));
             set_lights(shader, parameters.lights, camera, h);
-            parameters.shadows.set(access, shader, camera.eye_world, h, unit);
-            unit += GLuint(parameters.shadows.layers.size());
         }
         for (std::size_t n = 0; n < parameters.volumes.size(); ++n) {
             bind_volume(access, shader, parameters, int(n), unit, camera);
