@@ -102,9 +102,10 @@ void add_map(int n, BodySurface s, MapsAround maps, inout ExitSums sums)
 {
     vec4 seen = seen_by(n, s);
     float cosine = exit_cosine(exit_cameras[n], s.normal, s.facet);
-    float square = max(cosine - maps.least, 0.0) / max(maps.squarest - maps.least, 1e-6);
+    float below = clamp((maps.squarest - cosine) / max(maps.squarest - maps.least, 1e-6), 0.0, 1.0);
+    float square = 1.0 - below * below;  // broad, for the less noise
     float facing = max(cosine - least_cosine, 0.0);
-    sums.square += square * square * seen.w * seen;
+    sums.square += square * seen.w * seen;
     sums.all += facing * facing * seen.w * seen;
 }
 
