@@ -103,6 +103,32 @@ TEST(CloudMonteCarlo, LightOnTheGroundBelowClouds) {
     }
 }
 
+// Shelf: random paths. The same below closed decks, thin to thick.
+TEST(CloudMonteCarlo, LightOnTheGroundBelowADeck) {
+    for (const double depth : {1.0, 5.0, 25.0}) {
+        for (const double climb : {0.85, 0.35}) {
+            const std::vector<CloudMedium> media{homogeneous_layer(1000.0, 1300.0, depth / 300.0)};
+            CloudLight light;
+            light.to_sun_world = {std::sqrt(1.0 - climb * climb), climb, 0.0};
+            light.sun_irradiance = [](double) { return glm::dvec3(1.0); };
+            light.ground_albedo = glm::dvec3(0.0);
+            constexpr int directions = 300;
+            double paths = std::exp(-depth / climb);
+            for (int n = 0; n < directions; ++n) {
+                const double s = (n + 0.5) / directions, phi = 2.0 * std::numbers::pi * std::fmod(0.618034 * n, 1.0);
+                const glm::dvec3 toward(std::sqrt(s) * std::cos(phi), std::sqrt(1.0 - s), std::sqrt(s) * std::sin(phi));
+                const auto result =
+                    trace_paths(media, light, {{0, 0, 0}, toward, 0.0}, {.samples = 64, .pixel = std::uint32_t(n)});
+                paths += std::numbers::pi * result.radiance.g / climb / directions;
+            }
+            const double model = light_on_ground_below_clouds(depth / climb, climb, media[0].optics);
+            // Of the light without clouds; two terms in direction leave that much under a thin deck and a low sun.
+            EXPECT_NEAR(model, paths, 0.02) << "depth " << depth << ", sun at " << climb;
+            EXPECT_NEAR(model / paths, 1.0, 0.15);  // 0.11 under 25 and 0.35: of a twentieth of the light
+        }
+    }
+}
+
 /// Chandrasekhar's H function of isotropic scattering (Radiative Transfer, 1960, chapter V), at midpoints in mu.
 std::vector<double> h_function(double albedo, int n) {
     std::vector<double> h(std::size_t(n), 1.0);
