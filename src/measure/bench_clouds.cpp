@@ -16,10 +16,6 @@
 namespace bruma::measure {
 namespace {
 
-scene::Clouds& clouds_in(scene::Scene& scene) {
-    return std::get<scene::Clouds>(scene.nodes.at("sky").content);
-}
-
 struct Technique {
     std::string name;
     std::function<void(scene::CloudMarch&)> change;
@@ -91,7 +87,7 @@ Timed timed_frames(render::Renderer& renderer, scene::Scene scene, const render:
 
 CloudBenchRow row_of(render::Renderer& renderer, scene::Scene scene, const Technique& technique, double step_m,
                      const Image& truth, const std::vector<std::size_t>& places, const CloudBenchOptions& options) {
-    clouds_in(scene).march.edit([&](scene::CloudMarch& march) {
+    scene::clouds_in(scene).march.edit([&](scene::CloudMarch& march) {
         set_step(march, step_m);
         technique.change(march);
     });
@@ -142,7 +138,7 @@ CloudPan pan_of(gl::ShaderLibrary& shaders, scene::Scene scene, const CloudBench
     pan.full_ms = whole.ms;
     pan.full_cpu_ms = whole.cpu_ms;
     scene::Scene sparse = scene;
-    clouds_in(sparse).march.edit(
+    scene::clouds_in(sparse).march.edit(
         [](scene::CloudMarch& march) { march.reprojection = scene::CloudReprojection::always; });
     reprojected.render(sparse, view);
     std::vector<double> wall, cpu;
@@ -198,7 +194,7 @@ bool is_wanted(const std::string& name, const std::string& words) {
 
 scene::Scene cloud_view(scene::CloudType type, const std::string& view) {
     scene::Scene scene = scene::builtin_cloud_scene(type);
-    const scene::CloudLayer& layer = *clouds_in(scene).layer;
+    const scene::CloudLayer& layer = *scene::clouds_in(scene).layer;
     if (view != "below") {
         const bool inside = view == "inside";
         const double altitude = layer.bottom_m + (inside ? 0.25 : 1.3) * (layer.top_m - layer.bottom_m);

@@ -71,7 +71,7 @@ BarPlot savings_plot(const VolumeBenchScene& scene) {
     return plot;
 }
 
-std::string table_of(const VolumeBenchScene& scene) {
+std::string html_table_of(const VolumeBenchScene& scene) {
     std::string text =
         "<div class=\"wide\"><table><thead><tr><th>classification<th>step<th>skip<th>stop<th>RMSE<th>rel. MSE"
         "<th>largest<th>PSNR<th>FLIP<th>ms<th>CPU ms<th>time / brute<th>CPU / brute<th>time / default<th>samples / px"
@@ -107,7 +107,7 @@ std::string section(const VolumeBenchScene& scene) {
                    finding_samples(scene));
     text += figure("Convergence", svg_of(convergence_plot(scene)), finding_order(scene));
     text += figure("What skipping and stopping save", svg_of(savings_plot(scene)), finding_savings(scene));
-    return text + "</div>\n<details><summary>All numbers</summary>\n" + table_of(scene) + "</details></section>\n";
+    return text + "</div>\n<details><summary>All numbers</summary>\n" + html_table_of(scene) + "</details></section>\n";
 }
 
 }  // namespace

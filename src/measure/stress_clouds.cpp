@@ -10,15 +10,11 @@ namespace {
 
 using Change = std::function<void(scene::Scene&)>;
 
-scene::Clouds& clouds_in(scene::Scene& scene) {
-    return std::get<scene::Clouds>(scene.nodes.at("sky").content);
-}
-
 /// The same one each time, as old as the first: what a case does not change is not made again.
 scene::Scene small_scene() {
     static const scene::Scene made = [] {
         scene::Scene scene = scene::builtin_cloud_scene(scene::CloudType::cumulus);
-        clouds_in(scene).march.edit([](scene::CloudMarch& march) {
+        scene::clouds_in(scene).march.edit([](scene::CloudMarch& march) {
             march.grid_columns = 64;
             march.grid_slices = 16;
         });
@@ -34,7 +30,7 @@ void stand_at(scene::Scene& scene, double altitude_m, double rise) {
     });
 }
 
-void set_sun(scene::Scene& scene, double elevation_deg) {
+void set_sun_elevation(scene::Scene& scene, double elevation_deg) {
     const double elevation = glm::radians(elevation_deg);
     scene.lights.at("sun").edit([&](scene::Light& sun) {
         sun.direction_world = {0.5 * std::cos(elevation), std::sin(elevation), -0.8 * std::cos(elevation)};
@@ -50,7 +46,7 @@ void set_map(scene::Scene& scene, int width, int height, glm::u8vec4 weather) {
     for (std::size_t n = 0; n < std::size_t(width) * height; ++n) {
         map->rgba.insert(map->rgba.end(), {weather.r, weather.g, weather.b, weather.a});
     }
-    clouds_in(scene).map = std::shared_ptr<const scene::WeatherMap>(std::move(map));
+    scene::clouds_in(scene).map = std::shared_ptr<const scene::WeatherMap>(std::move(map));
 }
 
 /// What all pictures of clouds must keep: no radiance below 0, none above what any lobe could focus.
@@ -77,7 +73,8 @@ class Cases {
                 for (const auto lighting : {scene::CloudLighting::physical, scene::CloudLighting::artistic}) {
                     scene::Scene scene = small_scene();
                     stand_at(scene, altitude, altitude > 4000.0 ? -0.3 : 0.2);
-                    clouds_in(scene).optics.edit([&](scene::CloudOptics& optics) { optics.lighting = lighting; });
+                    scene::clouds_in(scene).optics.edit(
+                        [&](scene::CloudOptics& optics) { optics.lighting = lighting; });
                     change(scene);
                     most = std::max(most, brightest(rig_.draw(scene)));
                 }
@@ -105,12 +102,12 @@ class Cases {
 void stress_cloud_sun(Cases& cases) {
     for (const double elevation : {90.0, 10.0, 3.0, 1.0, 0.1, 0.0, -0.1, -1.0, -5.0, -90.0}) {
         cases.sound(fmt::format("sun-{:g}", elevation), "the sun at this elevation, degrees",
-                    [&](scene::Scene& scene) { set_sun(scene, elevation); });
+                    [&](scene::Scene& scene) { set_sun_elevation(scene, elevation); });
     }
     cases.sound("no-sun", "no lamp at all", [](scene::Scene& scene) { scene.lights.clear(); });
     cases.sound("cone", "the cone under a setting sun", [](scene::Scene& scene) {
-        set_sun(scene, 0.5);
-        clouds_in(scene).march.edit([](auto& march) { march.sun_path = scene::CloudSunPath::cone; });
+        set_sun_elevation(scene, 0.5);
+        scene::clouds_in(scene).march.edit([](auto& march) { march.sun_path = scene::CloudSunPath::cone; });
     });
 }
 
@@ -122,7 +119,7 @@ void stress_cloud_cameras(StressRig& rig, Cases& cases) {
         }
     }
     cases.sound("box", "a box, seen along its faces", [](scene::Scene& scene) {
-        clouds_in(scene).layer.edit([](auto& layer) { layer.bounds = scene::CloudBounds::box; });
+        scene::clouds_in(scene).layer.edit([](auto& layer) { layer.bounds = scene::CloudBounds::box; });
         scene.camera->edit([](auto& camera) {
             camera.eye_world = {-20000.0, 1500.0, 0.0};
             camera.target_world = camera.eye_world + glm::dvec3(1.0, 0.0, 0.0);
@@ -164,7 +161,7 @@ void stress_cloud_cameras(StressRig& rig, Cases& cases) {
 
 void stress_cloud_layers(Cases& cases) {
     const auto layer = [](const std::function<void(scene::CloudLayer&)>& change) {
-        return [change](scene::Scene& scene) { clouds_in(scene).layer.edit(change); };
+        return [change](scene::Scene& scene) { scene::clouds_in(scene).layer.edit(change); };
     };
     cases.clear("coverage-0", "no coverage", layer([](auto& l) { l.coverage = 0.0; }));
     cases.clear("density-0", "no density", layer([](auto& l) { l.density = 0.0; }));
@@ -201,7 +198,7 @@ void stress_cloud_layers(Cases& cases) {
         set_map(scene, 8192, 8, {200, 200, 200, 128});
     });
     const auto large = scene::make_weather_map(scene::WeatherPattern::scattered, 1, 2048);
-    cases.sound("map-2048x2048", "a large map", [&](scene::Scene& scene) { clouds_in(scene).map = large; });
+    cases.sound("map-2048x2048", "a large map", [&](scene::Scene& scene) { scene::clouds_in(scene).map = large; });
 }
 
 }  // namespace

@@ -22,10 +22,6 @@ class Random {
     std::mt19937 generator_{11};
 };
 
-scene::Clouds& clouds_in(scene::Scene& scene) {
-    return std::get<scene::Clouds>(scene.nodes.at("sky").content);
-}
-
 /// Another sort of cloud, from a metre to 20 km thick, at any height and hour, indoors or under a sky.
 void change_weather(Random& random, scene::Scene& scene, const std::vector<scene::Scene>& presets) {
     const auto camera = scene.camera;
@@ -33,7 +29,7 @@ void change_weather(Random& random, scene::Scene& scene, const std::vector<scene
     scene = presets[std::size_t(random.between(0.0, double(presets.size())))];
     scene.camera = camera;
     scene.time = time;
-    clouds_in(scene).layer.edit([&](scene::CloudLayer& layer) {
+    scene::clouds_in(scene).layer.edit([&](scene::CloudLayer& layer) {
         layer.coverage = std::clamp(random.between(-0.2, 1.2), 0.0, 1.0);
         layer.density = random.decades(-3.0, 2.0);
         layer.bottom_m = random.decades(0.0, 4.0);
@@ -41,7 +37,7 @@ void change_weather(Random& random, scene::Scene& scene, const std::vector<scene
         layer.wind_azimuth_deg = random.between(-180.0, 180.0);
         layer.bounds = random.between(0.0, 1.0) < 0.2 ? scene::CloudBounds::box : scene::CloudBounds::shell;
     });
-    clouds_in(scene).optics.edit(
+    scene::clouds_in(scene).optics.edit(
         [&](scene::CloudOptics& optics) { optics.lighting = scene::CloudLighting(int(random.between(0.0, 2.0))); });
     const double elevation_deg = random.between(-10.0, 90.0), elevation = glm::radians(elevation_deg);
     if (random.between(0.0, 1.0) < 0.5) {
@@ -85,7 +81,7 @@ void stress_cloud_history(StressRig& rig, int frames) {
         std::vector<scene::Scene> presets;
         for (std::size_t n = 0; n < scene::enum_words<scene::CloudType>().size(); ++n) {
             presets.push_back(scene::builtin_cloud_scene(scene::CloudType(n)));
-            clouds_in(presets.back()).march.edit([](scene::CloudMarch& march) {
+            scene::clouds_in(presets.back()).march.edit([](scene::CloudMarch& march) {
                 march.grid_columns = 32;
                 march.grid_slices = 12;
                 march.reprojection = scene::CloudReprojection::always;

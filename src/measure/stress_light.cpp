@@ -8,7 +8,7 @@
 namespace bruma::measure {
 namespace {
 
-double brightest(const Image& image) {
+double brightest_scattered(const Image& image) {
     double most = 0.0;
     for (std::size_t n = 0; n < image.rgba.size(); ++n) {
         if (n % 4 != 3) {
@@ -74,7 +74,7 @@ double share_of_allowed(StressRig& rig, scene::Scene scene, double irradiance) {
         take_way(scene, way);
         const double allowed =
             way == 2 ? irradiance / std::numbers::pi : per_phase * (largest_phase + (way == 1 ? 1.0 : 0.0));
-        const double radiance = brightest(rig.draw(scene));
+        const double radiance = brightest_scattered(rig.draw(scene));
         most = std::max(most, allowed > 0.0 ? radiance / allowed : radiance);
     }
     return most;
@@ -86,7 +86,8 @@ double difference_in_all_ways(StressRig& rig, scene::Scene a, scene::Scene b) {
         take_way(a, way);
         take_way(b, way);
         const Image expected = rig.draw(b);
-        most = std::max(most, largest_difference(rig.draw(a), expected) / std::max(1e-30, brightest(expected)));
+        most =
+            std::max(most, largest_difference(rig.draw(a), expected) / std::max(1e-30, brightest_scattered(expected)));
     }
     return most;
 }

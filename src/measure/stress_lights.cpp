@@ -16,7 +16,7 @@ scene::Light point_at(glm::dvec3 position, double intensity) {
     return {.kind = scene::LightKind::point, .position_world = position, .intensity = intensity};
 }
 
-scene::Scene with_optics(const std::function<void(scene::VolumeOptics&)>& change) {
+scene::Scene lit_with_optics(const std::function<void(scene::VolumeOptics&)>& change) {
     scene::Scene scene = lit_by({});
     stress_volume(scene).optics.edit(change);
     return scene;
@@ -69,13 +69,14 @@ void stress_lights(StressRig& rig) {
     rig.picture(
         "float-largest", "gradients of -3.4e38 and 3.4e38",
         lit_by({}, float_grid(glm::ivec3(6), [](std::size_t n) { return stress_noise(n) < 0.5 ? -3.4e38 : 3.4e38; })));
-    rig.picture("shininess-1000", "the smallest highlight", with_optics([](auto& o) { o.shininess = 1000.0; }), shaded);
-    rig.picture("phong-1", "the widest, mirrored", with_optics([](auto& o) {
+    rig.picture("shininess-1000", "the smallest highlight", lit_with_optics([](auto& o) { o.shininess = 1000.0; }),
+                shaded);
+    rig.picture("phong-1", "the widest, mirrored", lit_with_optics([](auto& o) {
                     o.shininess = 1.0;
                     o.highlight = scene::Highlight::phong;
                 }),
                 shaded);
-    rig.picture("soft-0", "no soft hand at all", with_optics([](auto& o) {
+    rig.picture("soft-0", "no soft hand at all", lit_with_optics([](auto& o) {
                     o.gradient_soft_from = 0.0;
                     o.gradient_soft_to = 0.0;
                 }),

@@ -18,7 +18,7 @@ scene::Scene under(const Light& light) {
 }
 
 /// Lights the middle of the ball with irradiance pi.
-Light lamp_at(glm::dvec3 position) {
+Light lamp_on_ball(glm::dvec3 position) {
     const double distance = glm::length(position);
     return {.kind = LightKind::point,
             .position_world = position,
@@ -36,20 +36,20 @@ void stress_mesh_lamps(MeshCases& cases) {
     for (const double distance : {0.0, 1e-9, 0.5, 0.999, 1.0, 1.0 + 1e-6, 1.001, 1.1, 1.24, 1.26, 3.0}) {
         cases.sound(
             fmt::format("point-{:g}r", distance), "a lamp so many radii from the middle",
-            [&] { return under(lamp_at(distance * radius * way)); }, any);
+            [&] { return under(lamp_on_ball(distance * radius * way)); }, any);
     }
     cases.sound(
         "point-on-corner", "a lamp on a corner of the mesh",
         [&] {
             const scene::Scene ball = ball_scene();
-            return under(
-                lamp_at(glm::dvec3((*std::get<scene::Mesh>(ball.nodes.at("mesh").content).triangles)->positions[40])));
+            return under(lamp_on_ball(
+                glm::dvec3((*std::get<scene::Mesh>(ball.nodes.at("mesh").content).triangles)->positions[40])));
         },
         any);
     cases.sound(
         "point-on-pole", "a lamp where twelve triangles meet",
         [&] {
-            return under(lamp_at({0.0, radius, 0.0}));
+            return under(lamp_on_ball({0.0, radius, 0.0}));
         },
         any);
     // A lamp as far as this many radii differs from parallel light by twice its inverse.
@@ -64,7 +64,7 @@ void stress_mesh_lamps(MeshCases& cases) {
         for (const double metres : {10.0, 100.0, 1e3, 1e6, 1e9, 1e12, 1e15}) {
             cases.same(fmt::format("far-{:g}m-{}", metres, translucent ? "translucent" : "opaque"),
                        "against parallel light, a share of the brightest", 0.02, shaded(under(parallel)),
-                       shaded(under(lamp_at(metres * way))));
+                       shaded(under(lamp_on_ball(metres * way))));
         }
     }
     for (const double metres : {1e30, 1e150, 1e300}) {
@@ -73,7 +73,7 @@ void stress_mesh_lamps(MeshCases& cases) {
         });
     }
     for (const double metres : {1e3, 1e9}) {
-        Light spot = lamp_at(metres * way);
+        Light spot = lamp_on_ball(metres * way);
         spot.kind = LightKind::spot;
         spot.direction_world = way;
         cases.same(fmt::format("spot-far-{:g}m", metres), "a spot aimed at the ball against parallel light", 0.02,
@@ -84,7 +84,7 @@ void stress_mesh_lamps(MeshCases& cases) {
             cases.sound(
                 fmt::format("spot-{:g}-{:g}", angle, softness), "a spot of this angle and softness",
                 [&] {
-                    Light spot = lamp_at(3.0 * radius * way);
+                    Light spot = lamp_on_ball(3.0 * radius * way);
                     spot.kind = LightKind::spot;
                     spot.direction_world = way;
                     spot.spot_angle_deg = angle;
@@ -97,7 +97,7 @@ void stress_mesh_lamps(MeshCases& cases) {
     cases.sound(
         "spot-inside", "a spot inside the body",
         [&] {
-            Light spot = lamp_at(0.3 * radius * way);
+            Light spot = lamp_on_ball(0.3 * radius * way);
             spot.kind = LightKind::spot;
             spot.direction_world = -way;
             return under(spot);
@@ -112,7 +112,7 @@ void stress_mesh_lamps(MeshCases& cases) {
                       [&] { scene::check(under({.direction_world = length * way})); });
     }
     cases.refused("position-nan", "a lamp at no place", [&] {
-        scene::check(under(lamp_at({0.0, std::numeric_limits<double>::quiet_NaN(), 0.0})));
+        scene::check(under(lamp_on_ball({0.0, std::numeric_limits<double>::quiet_NaN(), 0.0})));
     });
     cases.sound("headlight", "light along the view", [&] { return under({.kind = LightKind::headlight}); });
     cases.sound(
@@ -121,7 +121,7 @@ void stress_mesh_lamps(MeshCases& cases) {
     cases.sound(
         "strongest-point", "the same of a lamp beside it",
         [&] {
-            Light lamp = lamp_at(2.0 * radius * way);
+            Light lamp = lamp_on_ball(2.0 * radius * way);
             lamp.color = glm::dvec3(1e6);
             lamp.intensity = 1e12;
             return under(lamp);
@@ -144,7 +144,8 @@ void stress_mesh_lamps(MeshCases& cases) {
         [&] {
             scene::Scene scene = ball_scene();
             for (int n = 0; n < 8; ++n) {
-                Light light = lamp_at((0.4 + 0.5 * n) * radius * glm::normalize(glm::dvec3(n - 3.5, 2 - n % 3, 1.0)));
+                Light light =
+                    lamp_on_ball((0.4 + 0.5 * n) * radius * glm::normalize(glm::dvec3(n - 3.5, 2 - n % 3, 1.0)));
                 light.kind = LightKind(n % 4);
                 light.intensity =
                     light.kind == LightKind::point || light.kind == LightKind::spot ? light.intensity : 0.3;

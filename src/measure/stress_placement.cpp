@@ -7,7 +7,7 @@ namespace bruma::measure {
 namespace {
 
 /// The usual scene with its volume moved, and the camera moved to where it is seen.
-scene::Scene placed(const scene::Transform& transform) {
+scene::Scene stress_scene_at(const scene::Transform& transform) {
     scene::Scene scene = stress_scene();
     scene.nodes.at("volume").transform = transform;
     look_at_all(scene);
@@ -16,7 +16,7 @@ scene::Scene placed(const scene::Transform& transform) {
 
 /// Transfer function and transform grown alike, so that the picture should stay the same.
 scene::Scene grown(double scale) {
-    scene::Scene scene = placed({.scale = glm::dvec3(scale)});
+    scene::Scene scene = stress_scene_at({.scale = glm::dvec3(scale)});
     stress_volume(scene).transfer_function.edit([scale](auto& tf) { tf.reference_length *= scale; });
     return scene;
 }
@@ -34,11 +34,11 @@ void stress_placement(StressRig& rig) {
     constexpr double smooth = 1e-3;  // smooth data, quarter steps, and the table's 1/1020
     rig.picture("scale-1e-6", "a millionth of the size", grown(1e-6), smooth);
     rig.picture("scale-1e6", "a million times the size", grown(1e6), smooth);
-    rig.picture("mirrored", "scale -1 along x", placed({.scale = {-1.0, 1.0, 1.0}}), smooth);
-    rig.picture("mirrored-thrice", "scale -1 along all axes", placed({.scale = glm::dvec3(-1.0)}), smooth);
+    rig.picture("mirrored", "scale -1 along x", stress_scene_at({.scale = {-1.0, 1.0, 1.0}}), smooth);
+    rig.picture("mirrored-thrice", "scale -1 along all axes", stress_scene_at({.scale = glm::dvec3(-1.0)}), smooth);
     // Along the long axis the step is a thousandth of a voxel, so the march has many steps: rounding adds up.
-    rig.picture("1-1-1000", "a thousand times longer along z", placed({.scale = {1.0, 1.0, 1000.0}}), 5e-3);
-    rig.picture("1000-1-1", "a thousand times longer along x", placed({.scale = {1000.0, 1.0, 1.0}}), 5e-3);
+    rig.picture("1-1-1000", "a thousand times longer along z", stress_scene_at({.scale = {1.0, 1.0, 1000.0}}), 5e-3);
+    rig.picture("1000-1-1", "a thousand times longer along x", stress_scene_at({.scale = {1000.0, 1.0, 1.0}}), 5e-3);
     scene::Scene sheared = stress_scene();
     sheared.nodes["parent"] = {
         .parent = {},
@@ -48,8 +48,10 @@ void stress_placement(StressRig& rig) {
     sheared.nodes.at("volume").transform = scene::Transform{.rotation_deg = {-40.0, 15.0, 70.0}};
     look_at_all(sheared);
     rig.picture("sheared", "turned inside a parent of unequal scale", sheared, smooth);
-    rig.picture("far-off", "a hundred metres from the origin", placed({.translation = {100.0, -70.0, 30.0}}), smooth);
-    rig.picture("turned-1e6", "turned by a million degrees", placed({.rotation_deg = {1e6, -1e6, 1e6}}), smooth);
+    rig.picture("far-off", "a hundred metres from the origin", stress_scene_at({.translation = {100.0, -70.0, 30.0}}),
+                smooth);
+    rig.picture("turned-1e6", "turned by a million degrees", stress_scene_at({.rotation_deg = {1e6, -1e6, 1e6}}),
+                smooth);
 
     scene::Scene small_beside_large = stress_scene();
     add_volume(small_beside_large, "tiny", smooth_grid(), gentle_curves(), {.scale = glm::dvec3(1e-7)});

@@ -1,5 +1,7 @@
 #include "reference/cloud_field.h"
 
+#include "reference/interpolation.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,13 +12,6 @@ namespace {
 constexpr double least_coverage = 1e-4;
 constexpr double least_top = 1.0 / 255.0;
 
-double saturate(double v) {
-    return std::clamp(v, 0.0, 1.0);
-}
-double between(double a, double b, double t) {
-    return (1.0 - t) * a + t * b;
-}
-
 /// Equation 4.13, the five arguments applied to one remap: what of the base is above 1 - coverage.
 double cut_by_coverage(double base, double height_shape, double coverage) {
     return coverage <= least_coverage ? 0.0 : saturate((base * height_shape - (1.0 - coverage)) / coverage);
@@ -25,7 +20,7 @@ double cut_by_coverage(double base, double height_shape, double coverage) {
 /// Equations 4.14 and 4.15. The printed growing exponential breaks the bound of 0.35 that the text gives.
 double erosion_of(const scene::CloudLayer& layer, double height, double detail) {
     const double sign = layer.erosion == scene::CloudErosion::fades ? -1.0 : 1.0;
-    return 0.35 * std::exp(sign * 0.75 * layer.coverage) * between(detail, 1.0 - detail, saturate(5.0 * height));
+    return 0.35 * std::exp(sign * 0.75 * layer.coverage) * mix(detail, 1.0 - detail, saturate(5.0 * height));
 }
 
 double eroded(double shape, double erosion) {
@@ -42,7 +37,7 @@ double ramp(double v, double a, double b) {
 double effective_coverage(const scene::CloudLayer& layer, const scene::CloudWeather& weather) {
     const double placed =
         layer.coverage_rule == scene::CoverageRule::blend
-            ? between(weather.placement, weather.placement_overcast, layer.coverage)
+            ? mix(weather.placement, weather.placement_overcast, layer.coverage)
             : std::max(weather.placement, 2.0 * saturate(layer.coverage - 0.5) * weather.placement_overcast);
     return layer.coverage * placed;
 }
@@ -107,7 +102,7 @@ double LinearCoverage::operator()(double share) const {
     }
     const double at = saturate(share) * double(quantiles_.size() - 1);
     const auto low = std::min(std::size_t(at), quantiles_.size() - 2);
-    return 1.0 - between(quantiles_[low], quantiles_[low + 1], at - double(low));
+    return 1.0 - mix(quantiles_[low], quantiles_[low + 1], at - double(low));
 }
 
 CloudField::CloudField(const scene::CloudLayer& layer, std::shared_ptr<const scene::WeatherMap> map,

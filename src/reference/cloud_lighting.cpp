@@ -4,18 +4,9 @@
 
 #include "base/integer_hash.h"
 #include "reference/cloud_phase.h"
+#include "reference/interpolation.h"
 
 namespace bruma::reference {
-namespace {
-
-double saturate(double v) {
-    return std::clamp(v, 0.0, 1.0);
-}
-double between(double a, double b, double t) {
-    return (1.0 - t) * a + t * b;
-}
-
-}  // namespace
 
 double silver_rim(double mu, const scene::CloudOptics& optics) {
     // pow(0, 0) has no value in GLSL: the definition here names one.
@@ -24,7 +15,7 @@ double silver_rim(double mu, const scene::CloudOptics& optics) {
 
 double in_out_scatter(double mu, const scene::CloudOptics& optics) {
     const double towards = std::max(henyey_greenstein(mu, optics.in_scatter), silver_rim(mu, optics));
-    return between(towards, henyey_greenstein(mu, -optics.out_scatter), optics.in_out_mix);
+    return mix(towards, henyey_greenstein(mu, -optics.out_scatter), optics.in_out_mix);
 }
 
 double powdered_attenuation(double mu, double x, const scene::CloudOptics& optics) {
@@ -34,7 +25,7 @@ double powdered_attenuation(double mu, double x, const scene::CloudOptics& optic
         return attenuation * powder;
     }
     const double towards_sun = saturate(0.5 + 0.5 * mu);
-    return attenuation * between(powder, 1.0, towards_sun * towards_sun);
+    return attenuation * mix(powder, 1.0, towards_sun * towards_sun);
 }
 
 double scattering_octaves(double mu, double sun_optical_depth, const scene::CloudOptics& optics) {

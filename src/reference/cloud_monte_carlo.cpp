@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "reference/cloud_phase.h"
+#include "reference/phase_function.h"
 #include "reference/random.h"
 
 namespace bruma::reference {

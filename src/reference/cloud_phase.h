@@ -1,21 +1,13 @@
 #pragma once
-#include <algorithm>
 #include <cmath>
-#include <glm/glm.hpp>
 #include <numbers>
 
+#include "reference/phase_function.h"
 #include "scene/cloud_optics.h"
 
 /// Phase functions of clouds, in 1/sr; all integrate to 1 over the sphere. `mu` is the cosine between the view ray (eye
 /// to scene) and the direction to the sun: looking at the sun gives +1, and g > 0 then peaks there.
 namespace bruma::reference {
-
-/// Henyey and Greenstein 1941.
-inline double henyey_greenstein(double mu, double g) {
-    g = std::clamp(g, -0.99, 0.99);
-    const double base = std::max(1.0 + g * g - 2.0 * g * mu, 1e-4);
-    return (1.0 - g * g) / (4.0 * std::numbers::pi * base * std::sqrt(base));
-}
 
 /// Two Henyey-Greenstein lobes with both asymmetries scaled by `anisotropy`.
 inline double dual_lobe(double mu, const scene::CloudOptics& optics, double anisotropy = 1.0) {
@@ -46,9 +38,5 @@ inline double schlick(double mu, double k) {
     const double base = 1.0 - k * mu;
     return (1.0 - k * k) / (4.0 * std::numbers::pi * base * base);
 }
-
-/// Direction drawn from a Henyey-Greenstein lobe around `forward_world`, by two numbers in [0,1). Here g > 0 goes on
-/// along `forward_world`, which is where light goes and not where it comes from.
-glm::dvec3 sample_henyey_greenstein(const glm::dvec3& forward_world, double g, double u, double v);
 
 }  // namespace bruma::reference

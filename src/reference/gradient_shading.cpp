@@ -1,19 +1,13 @@
 #include "reference/gradient_shading.h"
 
+#include "reference/interpolation.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace bruma::reference {
 namespace {
-
-double smoothstep(double from, double to, double x) {
-    if (from == to) {
-        return x >= from ? 1.0 : 0.0;
-    }
-    const double f = std::clamp((x - from) / (to - from), 0.0, 1.0);
-    return f * f * (3.0 - 2.0 * f);
-}
 
 /// The zero vector stays what it is.
 glm::dvec3 unit_or_zero(glm::dvec3 v) {

@@ -15,10 +15,6 @@ constexpr double little = 0.05;
 /// Collisions with nothing in one block of a volume beyond which a picture would take hours.
 constexpr double most_null_collisions = 1e6;
 
-double largest_of(glm::dvec3 v) {
-    return std::max({v.x, v.y, v.z});
-}
-
 }  // namespace
 
 PathTracer::PathTracer(const ScatteringScene& scene, int max_bounces) : scene_(scene), max_bounces_(max_bounces) {
@@ -52,7 +48,7 @@ Escape PathTracer::walk(scene::Ray ray, RandomStream& random, AtCollision&& at_c
         at_collision(path, albedo, *collision, position);
         path.cut_off = last && collision->volume->scatters;
         path.weight *= albedo;
-        const double weight = largest_of(path.weight);
+        const double weight = std::max({path.weight.x, path.weight.y, path.weight.z});
         if (weight < little) {
             if (random.uniform() * little >= weight) {
                 path.weight = glm::dvec3(0.0);
@@ -63,7 +59,7 @@ Escape PathTracer::walk(scene::Ray ray, RandomStream& random, AtCollision&& at_c
         ++path.bounces;
         const double u = random.uniform();
         const double v = random.uniform();
-        ray = {position, sample_way(collision->volume->g, ray.direction_world, u, v), 0.0};
+        ray = {position, sample_henyey_greenstein(ray.direction_world, collision->volume->g, u, v), 0.0};
     }
 }
 
@@ -76,7 +72,7 @@ glm::dvec3 PathTracer::light_from_lights(const Collision& collision, glm::dvec3 
             continue;
         }
         // The path is walked from the eye: light comes against the way towards it, and leaves against `way`.
-        const double phase = henyey_greenstein(collision.volume->g, glm::dot(incident.toward_world, way));
+        const double phase = henyey_greenstein(glm::dot(incident.toward_world, way), collision.volume->g);
         const double passed =
             tracked_transmittance(scene_.volumes, {position, incident.toward_world, 0.0}, incident.distance, random);
         sum += incident.irradiance * (phase * passed);

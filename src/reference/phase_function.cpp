@@ -12,7 +12,7 @@ constexpr double isotropic = 1e-6;
 
 }  // namespace
 
-double henyey_greenstein(double g, double cosine) {
+double henyey_greenstein(double cosine, double g) {
     // 1 + g^2 - 2 g c, as a sum of what is not negative: exact at the peak, where the difference would cancel.
     const double apart =
         g >= 0.0 ? (1.0 - g) * (1.0 - g) + 2.0 * g * (1.0 - cosine) : (1.0 + g) * (1.0 + g) - 2.0 * g * (1.0 + cosine);
@@ -35,18 +35,19 @@ double sample_cosine(double g, double uniform) {
     return std::clamp((1.0 + g * g - inner * inner) / (2.0 * g), -1.0, 1.0);
 }
 
-glm::dvec3 sample_way(double g, glm::dvec3 way, double u, double v) {
+glm::dvec3 sample_henyey_greenstein(const glm::dvec3& direction, double g, double u, double v) {
     const double cosine = sample_cosine(g, u);
     const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
-    const double angle = 2.0 * std::numbers::pi * v;
-    // Two axes across `way` without a case for any direction but the sign of z (Duff et al., Building an Orthonormal
+    const double azimuth = 2.0 * std::numbers::pi * v;
+    // Two axes across `direction` without a case for any but the sign of z (Duff et al., Building an Orthonormal
     // Basis, Revisited, JCGT 2017).
-    const double sign = std::copysign(1.0, way.z);
-    const double a = -1.0 / (sign + way.z);
-    const double b = way.x * way.y * a;
-    const glm::dvec3 across_1(1.0 + sign * way.x * way.x * a, sign * b, -sign * way.x);
-    const glm::dvec3 across_2(b, sign + way.y * way.y * a, -way.y);
-    return glm::normalize(sine * std::cos(angle) * across_1 + sine * std::sin(angle) * across_2 + cosine * way);
+    const glm::dvec3& n = direction;
+    const double sign = std::copysign(1.0, n.z);
+    const double a = -1.0 / (sign + n.z);
+    const double b = n.x * n.y * a;
+    const glm::dvec3 across_1(1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x);
+    const glm::dvec3 across_2(b, sign + n.y * n.y * a, -n.y);
+    return glm::normalize(sine * std::cos(azimuth) * across_1 + sine * std::sin(azimuth) * across_2 + cosine * n);
 }
 
 }  // namespace bruma::reference

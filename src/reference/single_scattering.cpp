@@ -17,10 +17,6 @@ constexpr double negligible_share = 1e-6;
 /// Of a part of a ray, relative to its own radiance: matters for radiances above 100 only.
 constexpr double relative_share = 1e-2;
 
-double largest_of(glm::dvec3 v) {
-    return std::max({v.x, v.y, v.z});
-}
-
 /// Light that arrives at a point from one light.
 struct Arrival {
     scene::Incident incident;
@@ -60,7 +56,7 @@ class LitMixture {
             sum.extinction += optics.extinction;
             sum.extinction_times_source += optics.extinction * (source + optics.color * optics.emission);
         }
-        largest_source_error_ = std::max(largest_source_error_, largest_of(source_error));
+        largest_source_error_ = std::max({largest_source_error_, source_error.x, source_error.y, source_error.z});
         return sum;
     }
 
@@ -94,7 +90,7 @@ class LitMixture {
         for (const Arrival& arrival : arrivals_) {
             // Light travels against the way towards it, and on against the ray.
             const double phase =
-                henyey_greenstein(volume.g, glm::dot(arrival.incident.toward_world, ray_.direction_world));
+                henyey_greenstein(glm::dot(arrival.incident.toward_world, ray_.direction_world), volume.g);
             glm::dvec3 unshadowed = albedo * arrival.incident.irradiance * phase;
             if (surface.share > 0.0) {
                 const auto reflected = volume.shading->reflect(surface, arrival.incident, ray_.direction_world);
@@ -131,8 +127,9 @@ RayResult integrate(const ScatteringScene& scene, const scene::Ray& ray, double 
     }
     const double difference = std::max(integral.radiance_difference(), integral.transmittance_difference());
     const double of_shadows = mixture.largest_source_error() * (1.0 - integral.transmittance());
-    return {integral.radiance(), integral.transmittance(),
-            safety * difference + of_shadows + rounding * (1.0 + largest_of(integral.radiance())),
+    const glm::dvec3 radiance = integral.radiance();
+    return {radiance, integral.transmittance(),
+            safety * difference + of_shadows + rounding * (1.0 + std::max({radiance.x, radiance.y, radiance.z})),
             integral.evaluations() + mixture.evaluations()};
 }
 

@@ -5,17 +5,13 @@
 #include <numbers>
 
 #include "reference/cloud_intervals.h"
+#include "reference/interpolation.h"
 
 namespace bruma::reference {
 namespace {
 
 /// From this altitude up the horizon has an angle of its own.
 constexpr double least_altitude_m = 1.0;
-
-double smoothstep(double low, double high, double v) {
-    const double t = std::clamp((v - low) / (high - low), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
 
 /// Length of the tangent from an altitude to the ground: sqrt(r^2 - R^2) without cancellation.
 double tangent_m(double planet_radius_m, double altitude_m) {

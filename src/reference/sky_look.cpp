@@ -4,18 +4,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "reference/cloud_phase.h"
+#include "reference/interpolation.h"
+#include "reference/phase_function.h"
 
 namespace bruma::reference {
 namespace {
 
 const glm::dvec3 wavelength_m(680e-9, 550e-9, 450e-9);
 const glm::dvec3 mie_per_particle(1.8399918514e14, 2.7798023920e14, 4.0790479544e14);
-
-double smoothstep(double low, double high, double v) {
-    const double t = std::clamp((v - low) / (high - low), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
 
 }  // namespace
 

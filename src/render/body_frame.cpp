@@ -8,7 +8,6 @@
 namespace bruma::render {
 namespace {
 
-constexpr double mm_per_m = 1000.0;
 constexpr double spare_texels = 2.0;
 
 /// The rotation (or reflection) of a matrix's polar decomposition, by Newton's iteration (Higham 1986), which squares
@@ -154,6 +153,12 @@ MapCamera cube_camera(glm::dvec3 eye, int face, double bounding_radius, int size
     camera.depth = glm::length(eye) + 1.01 * bounding_radius;
     spare(camera, size);
     return camera;
+}
+
+MapFace map_face(const MapCamera& camera, int layer) {
+    return {glm::vec4(camera.right, 1.0 / camera.texel.x), glm::vec4(camera.up, 1.0 / camera.texel.y),
+            glm::vec4(camera.back, double(layer)),
+            glm::vec4(-camera.low / camera.texel, camera.near_depth, camera.depth)};
 }
 
 std::vector<glm::dvec3> body_points(const scene::TriangleMesh& mesh, const glm::dmat3& body_from_model) {

@@ -43,6 +43,18 @@ struct MapCamera {
     glm::dmat4 clip_from_body() const;
 };
 
+/// Bodies are measured in mm, the world in m.
+inline constexpr double mm_per_m = 1000.0;
+
+/// A map camera as shaders read it (std430).
+struct MapFace {
+    glm::vec4 right;   ///< w: texels to the unit of length along it
+    glm::vec4 up;      ///< w: the same
+    glm::vec4 toward;  ///< `back`; w: the layer of the texture that holds the map
+    glm::vec4 first;   ///< xy: texel of the coordinate 0; z: near_depth; w: depth
+};
+MapFace map_face(const MapCamera& camera, int layer);
+
 /// Right and up for a direction.
 MapCamera looking_against(glm::dvec3 back);
 /// Corners of a mesh in its body frame, mm.

@@ -43,6 +43,10 @@ Scene builtin_cloud_scene(CloudType type) {
     return scene;
 }
 
+Clouds& clouds_in(Scene& scene) {
+    return std::get<Clouds>(scene.nodes.at("sky").content);
+}
+
 Scene clouds_under_sky_scene() {
     Scene scene = builtin_cloud_scene(CloudType::cumulus);
     scene.lights.clear();

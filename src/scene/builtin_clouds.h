@@ -10,6 +10,8 @@ namespace bruma::scene {
 std::span<const std::string_view> builtin_cloud_scenes();
 /// A layer of clouds over the camera, under the sun of a fair afternoon.
 Scene builtin_cloud_scene(CloudType type);
+/// The clouds of such a scene: its node 'sky'.
+Clouds& clouds_in(Scene& scene);
 
 /// Cumulus under a sky, over hills that lie in their shadows.
 Scene clouds_over_ground_scene();

@@ -26,10 +26,6 @@ inline scene::Scene cloud_scene(scene::CloudType type, CloudView view) {
     return scene;
 }
 
-inline scene::Clouds& clouds_in(scene::Scene& scene) {
-    return std::get<scene::Clouds>(scene.nodes.at("sky").content);
-}
-
 /// Weather of one value everywhere.
 inline void set_even_weather(scene::Scene& scene, glm::u8vec4 weather) {
     auto map = std::make_shared<scene::WeatherMap>();
@@ -38,12 +34,12 @@ inline void set_even_weather(scene::Scene& scene, glm::u8vec4 weather) {
     for (int n = 0; n < 64; ++n) {
         map->rgba.insert(map->rgba.end(), {weather.r, weather.g, weather.b, weather.a});
     }
-    clouds_in(scene).map = std::shared_ptr<const scene::WeatherMap>(std::move(map));
+    scene::clouds_in(scene).map = std::shared_ptr<const scene::WeatherMap>(std::move(map));
 }
 
 /// The scene's density, in double.
 inline reference::CloudField exact_field(scene::Scene& scene) {
-    const scene::Clouds& clouds = clouds_in(scene);
+    const scene::Clouds& clouds = scene::clouds_in(scene);
     return {*clouds.layer, *clouds.map, reference::normative_cloud_noise(), scene.time->now_s};
 }
 

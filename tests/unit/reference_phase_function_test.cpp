@@ -65,7 +65,7 @@ double over_sphere(double g, Function f) {
     double sum = 0.0;
     for (int n = 0; n < steps; ++n) {
         const double angle = std::numbers::pi * (n + 0.5) / steps;
-        sum += std::sin(angle) * henyey_greenstein(g, std::cos(angle)) * f(std::cos(angle));
+        sum += std::sin(angle) * henyey_greenstein(std::cos(angle), g) * f(std::cos(angle));
     }
     return sum * 2.0 * std::numbers::pi * std::numbers::pi / steps;
 }
@@ -122,7 +122,7 @@ TEST(ReferencePhaseFunction, SampledWaysFollowIt) {
             RandomStream random(11, 0, 0);
             for (int n = 0; n < count; ++n) {
                 const double u = random.uniform();
-                const glm::dvec3 next = sample_way(g, way, u, random.uniform());
+                const glm::dvec3 next = sample_henyey_greenstein(way, g, u, random.uniform());
                 EXPECT_NEAR(glm::length(next), 1.0, 1e-12);
                 const double share = share_in_cone(g, glm::dot(next, way));
                 const double turn = std::atan2(glm::dot(next, side), glm::dot(next, up)) / (2.0 * std::numbers::pi);

@@ -32,7 +32,7 @@ TEST(ReferenceSingleScattering, SlabLitFromTheSideOfTheEye) {
     EXPECT_NEAR(radiance(0.5).y, 0.011782148, 1e-9);
     for (const double cosine : {0.05, 0.3, 0.9}) {
         const double k = 1.0 + 1.0 / cosine;
-        const double expected = 0.8 * henyey_greenstein(0.3, -cosine) / k * -std::expm1(-3.0 * k);
+        const double expected = 0.8 * henyey_greenstein(-cosine, 0.3) / k * -std::expm1(-3.0 * k);
         EXPECT_NEAR(radiance(cosine).z, expected, 1e-8) << cosine;
     }
 }
@@ -41,7 +41,7 @@ TEST(ReferenceSingleScattering, SlabLitFromBehind) {
     // Through the slab straight on every path is as long: L = w p E sigma H exp(-sigma H).
     auto scene = slab_scene(2.0, 0.6, -0.4);
     scene.lights["sun"] = scene::Light{.direction_world = {0.0, 0.0, -3.0}, .intensity = 5.0};
-    EXPECT_NEAR(scattered_once(scene, down).x, 0.6 * henyey_greenstein(-0.4, 1.0) * 5.0 * 2.0 * std::exp(-2.0), 1e-7);
+    EXPECT_NEAR(scattered_once(scene, down).x, 0.6 * henyey_greenstein(1.0, -0.4) * 5.0 * 2.0 * std::exp(-2.0), 1e-7);
 }
 
 TEST(ReferenceSingleScattering, PointLightInThinMatter) {

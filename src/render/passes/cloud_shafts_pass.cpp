@@ -15,7 +15,7 @@ namespace {
 // Rays along the picture's longer edge: at 42 degrees over 288 pixels of 512 they are as far apart as the grid of
 // light's columns 5 km away, and a pixel looks up its own distance, so that edges stay sharp. Fewer in small pictures
 // would be seen along a horizon under low clouds. Steps begin at 86 m and are as long as most clouds, 1 km, at 11 km.
-constexpr int rays_along = 80, slices = 64;
+constexpr int rays_along = 80, shaft_slices = 64;
 constexpr double near_m = 1000.0, sample_m = 1000.0;
 
 int cell_of(glm::ivec2 pixels) {
@@ -91,7 +91,7 @@ void CloudShaftsPass::draw(const PassAccess& access, const Parameters& parameter
     out.sun_irradiance = parameters.air.sun_irradiance;
     out.planet_radius_m = parameters.air.atmosphere.planet_radius_m;
     out.sky_has_air = parameters.sky_has_air;
-    const glm::ivec3 size((parameters.pixels + out.cell - 1) / out.cell, slices);
+    const glm::ivec3 size((parameters.pixels + out.cell - 1) / out.cell, shaft_slices);
     if (!out.missing || out.missing.size() != size) {
         out.missing = gl::Texture::make_3d("light missing in air", GL_RGBA16F, size);
         out.missing_share = gl::Texture::make_3d("share of light missing in air", GL_RGBA16F, size);

@@ -9,12 +9,9 @@ namespace bruma::render {
 namespace {
 
 /// Layout of include/shadow.glsl.
-struct FaceData {
-    glm::vec4 right, up, toward, first;
-};
-struct LampData {
+struct ShadowLampData {
     glm::vec4 eye{0.0F, 0.0F, 0.0F, -1.0F};
-    FaceData faces[6];
+    MapFace faces[6];
 };
 
 /// The views of one lamp, in shadow space; none for a headlight.
@@ -111,7 +108,7 @@ void ShadowPass::draw(const PassAccess& access, const Parameters& parameters) {
     for (glm::dvec3& corner : corners) {
         corner = (corner - out.center_world) / out.unit_world;
     }
-    std::vector<LampData> data(std::max<std::size_t>(1, parameters.lamps.size()));
+    std::vector<ShadowLampData> data(std::max<std::size_t>(1, parameters.lamps.size()));
     std::vector<MapCamera> cameras;
     for (std::size_t n = 0; n < parameters.lamps.size(); ++n) {
         const std::vector<MapCamera> views = cameras_of(parameters.lamps[n], out, corners, parameters.size);
@@ -120,14 +117,11 @@ void ShadowPass::draw(const PassAccess& access, const Parameters& parameters) {
             data[n].eye = glm::vec4(camera.perspective ? camera.eye : glm::dvec3(0.0), views.size() > 1     ? 2.0
                                                                                        : camera.perspective ? 1.0
                                                                                                             : 0.0);
-            data[n].faces[f] = {glm::vec4(camera.right, 1.0 / camera.texel.x),
-                                glm::vec4(camera.up, 1.0 / camera.texel.y),
-                                glm::vec4(camera.back, double(cameras.size())),
-                                glm::vec4(-camera.low / camera.texel, camera.near_depth, camera.depth)};
+            data[n].faces[f] = map_face(camera, int(cameras.size()));
             cameras.push_back(camera);
         }
     }
-    out.lamps = gl::Buffer("shadow lamps", std::span<const LampData>(data));
+    out.lamps = gl::Buffer("shadow lamps", std::span<const ShadowLampData>(data));
     const glm::ivec3 size(parameters.size, parameters.size, std::max<int>(1, int(cameras.size())));
     if (!out.depth || out.depth.size() != size) {
         out.depth = gl::Texture::make_2d_array("shadow depth", GL_DEPTH_COMPONENT32F, size);

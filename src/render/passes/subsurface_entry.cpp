@@ -7,12 +7,9 @@ namespace bruma::render {
 namespace {
 
 /// Layout of include/subsurface_entry.glsl.
-struct FaceData {
-    glm::vec4 right, up, toward, first;
-};
-struct LampData {
+struct EntryLampData {
     glm::vec4 power, eye;
-    FaceData faces[6];
+    MapFace faces[6];
 };
 
 }  // namespace
@@ -34,7 +31,7 @@ gl::Defines entry_defines(const LightMaps& light, const scene::SubsurfaceSetting
 
 void set_entry(gl::Program& program, const LightMaps& light, const SubsurfaceConstants& constants,
                const std::vector<glm::dvec3>& powers, GLuint unit, gl::Buffer& lamps) {
-    std::vector<LampData> data(std::max<std::size_t>(1, light.lamps.size()));
+    std::vector<EntryLampData> data(std::max<std::size_t>(1, light.lamps.size()));
     const double radius = light.bounding_radius;
     for (std::size_t n = 0; n < light.lamps.size(); ++n) {
         const LightMaps::Drawn& lamp = light.lamps[n];
@@ -45,14 +42,10 @@ void set_entry(gl::Program& program, const LightMaps& light, const SubsurfaceCon
                                                         ? radius
                                                         : radius / std::sqrt(distance * distance - radius * radius));
         for (std::size_t f = 0; f < lamp.cameras.size(); ++f) {
-            const MapCamera& camera = lamp.cameras[f];
-            data[n].faces[f] = {glm::vec4(camera.right, 1.0 / camera.texel.x),
-                                glm::vec4(camera.up, 1.0 / camera.texel.y),
-                                glm::vec4(camera.back, double(lamp.first_layer) + double(f)),
-                                glm::vec4(-camera.low / camera.texel, 0.0, 0.0)};
+            data[n].faces[f] = map_face(lamp.cameras[f], int(lamp.first_layer) + int(f));
         }
     }
-    lamps = gl::Buffer("lamps", std::span<const LampData>(data));
+    lamps = gl::Buffer("lamps", std::span<const EntryLampData>(data));
     lamps.bind_storage(2);
     const EntryRates rates = entry_rates(constants, radius);
     set_medium(program, constants);

@@ -11,7 +11,7 @@
 namespace bruma::render {
 namespace {
 
-constexpr double mm_per_m = 1e3, mm2_per_m2 = 1e6;
+constexpr double mm2_per_m2 = mm_per_m * mm_per_m;
 
 }  // namespace
 
