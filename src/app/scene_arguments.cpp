@@ -129,6 +129,16 @@ io::OutputGuard guard_against(const std::vector<std::string>& files, bool force)
             io::announce_input(file);
         }
     }
+    // Shaders are read by a layer that knows nothing of outputs.
+    constexpr int deepest = 2;  // of folders with shaders; any folder may be named
+    std::error_code error;
+    std::filesystem::recursive_directory_iterator at(installed_folder("shaders"), error);
+    for (; !error && at != std::filesystem::recursive_directory_iterator(); at.increment(error)) {
+        io::announce_input(at->path());
+        if (at.depth() >= deepest) {
+            at.disable_recursion_pending();
+        }
+    }
     return io::OutputGuard(force);
 }
 

@@ -50,4 +50,5 @@ for option in --stats --graph --frames --across --down; do
     expect 2 "$option" "${render[@]}" $option ''
 done
 expect 2 "--heatmap" "$program" compare p.png p.png --heatmap ''
+expect 2 "standard output" "$program" compare p.png p.png --heatmap -
 finish

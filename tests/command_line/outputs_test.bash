@@ -53,6 +53,8 @@ mkdir shaders
 expect 0 "" "$program" shaders --expand shaders
 cp notes.txt shaders/composite_0.frag
 expect 2 "--force" "$program" shaders --expand shaders
+# The shaders that the program is made to read are inputs too.
+expect 2 "files that were read" draw a.obj -o p.png --shaders shaders --stats shaders/composite_0.frag --force
 for file in notes.txt notes.png f2_0001.png r.exr bench/frames.json shaders/composite_0.frag; do
     holds $file mine
 done

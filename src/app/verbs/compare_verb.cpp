@@ -37,6 +37,9 @@ CLI::Validator a_number_from(double low, double high) {
 }
 
 int compare(const CompareArguments& arguments) {
+    if (arguments.heatmap == "-") {
+        throw InputError("--heatmap -: standard output carries the numbers; name a file");
+    }
     if (!arguments.heatmap.empty()) {
         guard_against({arguments.picture, arguments.reference}, arguments.force)
             .add("--heatmap", arguments.heatmap, io::picture_content(arguments.heatmap));
