@@ -7,11 +7,23 @@
 
 #include <cerrno>
 #include <cstring>
+#include <mutex>
+#include <set>
 
 #include "base/error.h"
 
 namespace bruma::io {
 namespace {
+
+struct ReadFiles {
+    std::mutex mutex;
+    std::set<std::filesystem::path> paths;
+};
+
+ReadFiles& read_files() {
+    static ReadFiles files;
+    return files;
+}
 
 int open_regular(const std::filesystem::path& path, std::int64_t& size) {
     // Without waiting: opening a pipe would otherwise hang until someone writes to it.
@@ -43,7 +55,9 @@ int open_regular(const std::filesystem::path& path, std::int64_t& size) {
 
 }  // namespace
 
-InputFile::InputFile(const std::filesystem::path& path) : path_(path), descriptor_(open_regular(path, size_)) {}
+InputFile::InputFile(const std::filesystem::path& path) : path_(path), descriptor_(open_regular(path, size_)) {
+    announce_input(path);
+}
 
 InputFile::~InputFile() {
     ::close(descriptor_);
@@ -77,6 +91,20 @@ std::string read_text_file(const std::filesystem::path& path, std::int64_t most)
     std::string text(std::size_t(file.size()), '\0');
     file.read(0, std::as_writable_bytes(std::span(text.data(), text.size())));
     return text;
+}
+
+std::vector<std::filesystem::path> files_read() {
+    ReadFiles& files = read_files();
+    const std::lock_guard lock(files.mutex);
+    return {files.paths.begin(), files.paths.end()};
+}
+
+void announce_input(const std::filesystem::path& path) {
+    std::error_code error;
+    std::filesystem::path absolute = std::filesystem::absolute(path, error);
+    ReadFiles& files = read_files();
+    const std::lock_guard lock(files.mutex);
+    files.paths.insert(error ? path : std::move(absolute));
 }
 
 }  // namespace bruma::io

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace bruma::io {
 
@@ -30,5 +31,12 @@ class InputFile {
 
 /// A whole file of at most `most` bytes; longer ones are refused with both numbers.
 std::string read_text_file(const std::filesystem::path& path, std::int64_t most);
+
+/// The absolute paths of all files that this program has opened for reading or announced, sorted: what no output may
+/// replace. All reading goes through InputFile, so that no kind of input is forgotten, textures of material
+/// libraries included. May be called from any thread.
+std::vector<std::filesystem::path> files_read();
+/// Counts a file among `files_read` before it is read, so that outputs are judged before anything is loaded.
+void announce_input(const std::filesystem::path& path);
 
 }  // namespace bruma::io
