@@ -5,7 +5,6 @@
 #include <vector>
 
 namespace bruma {
-namespace {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     const std::size_t columns = b.size() + 1;
@@ -30,8 +29,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     }
     return previous.back();
 }
-
-}  // namespace
 
 std::string nearest_name(std::string_view word, std::span<const std::string> candidates) {
     std::string nearest;

@@ -5,6 +5,9 @@
 
 namespace bruma {
 
+/// Letters to add, drop, change or swap with a neighbour to turn one word into the other; case does not count.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
 /// The candidate with the smallest edit distance to `word` (Damerau, transpositions count one), or an empty string
 /// when none is closer than about half the word.
 std::string nearest_name(std::string_view word, std::span<const std::string> candidates);

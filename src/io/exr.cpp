@@ -73,21 +73,4 @@ std::vector<std::byte> encode_exr(const std::string& name, const Image& linear, 
     return {first, first + size};
 }
 
-Image decode_exr(const std::string& name, const std::string& bytes) {
-    float* rgba = nullptr;
-    int width = 0;
-    int height = 0;
-    const char* message = nullptr;
-    const int result = LoadEXRFromMemory(&rgba, &width, &height, reinterpret_cast<const unsigned char*>(bytes.data()),
-                                         bytes.size(), &message);
-    const std::unique_ptr<float, void (*)(void*)> owner(rgba, std::free);
-    if (result != TINYEXR_SUCCESS) {
-        throw InputError(
-            fmt::format("{}: broken or unknown OpenEXR ({}); was it copied to its end?", name, take_message(message)));
-    }
-    Image image(width, height);
-    std::copy(rgba, rgba + image.rgba.size(), image.rgba.begin());
-    return image;
-}
-
 }  // namespace bruma::io

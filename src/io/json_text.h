@@ -2,7 +2,18 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/error.h"
+
 namespace bruma::io {
+
+/// Levels of brackets within brackets that are read: a scene needs six.
+constexpr int most_levels_of_json = 100;
+
+/// A text that is no JSON, as against one that asks for too much.
+class BrokenJson : public InputError {
+  public:
+    using InputError::InputError;
+};
 
 /// JSON for people: two blanks of indent, short arrays on one line, numbers as short as they are exact, a newline at
 /// the end. Throws InputError that names the first text that is not UTF-8, since it could not be
@@ -13,8 +24,9 @@ std::string json_text(const nlohmann::json& document);
 /// characters. `indent` below 0: one line. No newline at the end.
 std::string report_text(const nlohmann::json& document, int indent);
 
-/// JSON of a text. A fault is told as NAME:line:column with what was found and expected; a key given twice in one
-/// object is a fault too. Throws InputError only. `name` is the file's name or an option.
+/// JSON of a text; whatever becomes JSON comes through here. A fault is told as NAME:line:column with what was found
+/// and expected, as BrokenJson; a key given twice in one object and more than `most_levels_of_json` levels are faults
+/// too. Throws InputError only. `name` is the file's name or an option.
 nlohmann::json parse_json(const std::string& text, const std::string& name);
 
 }  // namespace bruma::io

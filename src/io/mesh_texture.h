@@ -9,8 +9,8 @@ namespace bruma::io {
 /// Largest width and height of a texture: what every OpenGL 4.5 machine takes.
 constexpr int most_texture_texels = 16384;
 
-/// Reads a picture of eight bits (grey, palette or colour; .png, .jpg, .bmp, .tga and others) or sixteen (.png) as a
-/// texture. Throws InputError for what cannot be read and what is larger than the limit.
+/// Reads a picture of eight or sixteen bits (grey, palette or colour; see raster_picture.h) as a texture. Throws
+/// InputError for what cannot be read, for floating-point light and for what is larger than the limit.
 std::shared_ptr<const scene::MeshTexture> load_texture(const std::filesystem::path& path);
 
 }  // namespace bruma::io

@@ -40,8 +40,8 @@ void write_hdr(const std::string& path, const Image& linear);
 /// Writes by the path's ending: `display` for .png, `linear` for .hdr and .exr.
 void write_picture(const std::string& path, const Image& linear, const Picture8& display);
 
-/// Reads .png, .jpg and .bmp (8 or 16 bits, taken as sRGB), .hdr and .exr to linear radiance, premultiplied. Throws
-/// InputError for a missing, broken or unknown file.
+/// Reads .png, .jpg, .bmp, .tga and Netpbm (8 or 16 bits, taken as sRGB), .hdr and .exr to linear radiance,
+/// premultiplied. Throws InputError for a missing, broken or unknown file.
 Image read_picture(const std::filesystem::path& path);
 
 /// The sRGB curve of IEC 61966-2-1: linear value in [0, 1] of an encoded one.

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <charconv>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "base/nearest_name.h"
 #include "io/clouds_json.h"
 #include "io/json_fields.h"
+#include "io/json_text.h"
 #include "scene/camera.h"
 #include "scene/sky.h"
 
@@ -102,16 +104,24 @@ std::vector<json*> all_of_kind(json& document, const std::string& kind) {
     return found;
 }
 
+std::optional<json> json_if_it_is(const std::string& text, const std::string& name) {
+    try {
+        return parse_json(text, name);
+    } catch (const BrokenJson&) {
+        return std::nullopt;
+    }
+}
+
 /// JSON where it is JSON, else a word; a place that holds text takes the value as text in any case. Numbers with commas
 /// between them are a vector, as `--spacing` and `--up` take them.
-void assign(json& place, const std::string& value) {
-    json parsed = json::parse(value, nullptr, false);
-    if (parsed.is_discarded() && !place.is_string() &&
-        value.find_first_not_of("0123456789.,+-eE ") == std::string::npos) {
-        parsed = json::parse("[" + value + "]", nullptr, false);
+void assign(json& place, const std::string& value, const std::string& setting) {
+    const std::string name = "--set " + setting.substr(0, setting.find('='));
+    std::optional<json> parsed = json_if_it_is(value, name);
+    if (!parsed && !place.is_string() && value.find_first_not_of("0123456789.,+-eE ") == std::string::npos) {
+        parsed = json_if_it_is("[" + value + "]", name);
     }
-    const bool is_text = parsed.is_discarded() || (place.is_string() && !parsed.is_string() && !parsed.is_structured());
-    place = is_text ? json(value) : std::move(parsed);
+    const bool is_text = !parsed || (place.is_string() && !parsed->is_string() && !parsed->is_structured());
+    place = is_text ? json(value) : std::move(*parsed);
 }
 
 /// Parts of a scene that nobody has chosen yet: a setting of one changes the default one.
@@ -166,7 +176,7 @@ void apply_setting(json& scene_document, std::string_view path_equals_value) {
             walk.fail(fmt::format("there is no {} in the scene to change", first));
         }
         for (json* target : targets) {
-            assign(walk.down(*target, 1), value);
+            assign(walk.down(*target, 1), value, std::string(path_equals_value));
         }
         return;
     }
@@ -174,7 +184,7 @@ void apply_setting(json& scene_document, std::string_view path_equals_value) {
     make_if_missing<scene::Sky>(scene_document, first, "sky");
     make_if_missing<scene::Sun>(scene_document, first, "sun");
     make_if_missing<scene::Atmosphere>(scene_document, first, "atmosphere");
-    assign(walk.down(scene_document, 0), value);
+    assign(walk.down(scene_document, 0), value, std::string(path_equals_value));
 }
 
 }  // namespace bruma::io
