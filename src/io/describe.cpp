@@ -123,8 +123,7 @@ std::string describe_file(const std::string& argument, const scene::VolumeSource
     if (is_mesh(argument)) {
         return mesh_text(argument, load_mesh({.file = argument}, {}));
     }
-    const std::string ending = std::filesystem::path(argument).extension().string();
-    if (is_builtin(argument) || ending != ".raw") {
+    if (is_builtin(argument) || !is_raw_volume(argument, hints)) {
         return scene_text(argument);
     }
     const RawLayoutParts known = known_layout_parts(argument, hints);
