@@ -47,7 +47,9 @@ constexpr Magic magics[] = {
     {0, "MM\0*"sv, "a TIFF picture or stack", by_fiji},
     {0, "II+\0"sv, "a BigTIFF picture or stack", by_fiji},
     {0, "MM\0+"sv, "a BigTIFF picture or stack", by_fiji},
-    {0, "PVM"sv, "a PVM volume", "convert it with pvm2raw of the V^3 volume renderer"},
+    {0, "PVM\n"sv, "a PVM volume", "convert it with pvm2raw of the V^3 volume renderer"},
+    {0, "PVM2\n"sv, "a PVM volume", "convert it with pvm2raw of the V^3 volume renderer"},
+    {0, "PVM3\n"sv, "a PVM volume", "convert it with pvm2raw of the V^3 volume renderer"},
     {0, "DDS v3"sv, "a compressed PVM volume", "convert it with pvm2raw of the V^3 volume renderer"},
     {0, "SIMPLE  ="sv, "a FITS file", by_fiji},
     {0, "MATLAB 5.0"sv, "a MATLAB file", "in MATLAB, write the array with fwrite(fopen('OUT.raw', 'w'), X, class(X))"},
@@ -84,14 +86,14 @@ constexpr Magic magics[] = {
     {0, "7z\xbc\xaf\x27\x1c"sv, "a 7-Zip archive", unpack},
     {0, "Rar!\x1a\x07"sv, "a RAR archive", unpack},
     {257, "ustar"sv, "a tar archive", "unpack it first, as in: tar -xf {}"},
-    {0, "BZh"sv, "data packed by bzip2", "unpack it first, as in: bunzip2 -k {}"},
+    {4, "1AY&SY"sv, "data packed by bzip2", "unpack it first, as in: bunzip2 -k {}"},
     {0,
      "\xfd"
      "7zXZ\0"sv,
      "data packed by xz", "unpack it first, as in: unxz -k {}"},
     {0, "\x28\xb5\x2f\xfd"sv, "data packed by Zstandard", "unpack it first, as in: unzstd {}"},
     {0, "\x04\x22\x4d\x18"sv, "data packed by LZ4", "unpack it first, as in: unlz4 {}"},
-    {0, "\x1f\x9d"sv, "data packed by compress", "unpack it first, as in: uncompress {}"},
+    {0, "\x1f\x9d\x90"sv, "data packed by compress", "unpack it first, as in: uncompress {}"},
     // Downloads that went wrong, and papers.
     {0, "version https://git-lfs"sv, "a pointer of Git LFS, not the data", "fetch them, as in: git lfs pull"},
     {0, "/annex/objects/"sv, "a pointer of git-annex, not the data", "fetch them, as in: git annex get {}"},
@@ -110,13 +112,17 @@ bool holds_in_any_case(std::string_view text, std::string_view part) {
     return std::search(text.begin(), text.end(), part.begin(), part.end(), same_letters) != text.end();
 }
 
-/// Lines of printable characters; one long line of equal bytes may as well be samples.
+/// Lines of printable characters, some of other alphabets; one long line of equal bytes may as well be samples.
 bool is_text(std::string_view bytes) {
-    const bool printable = std::all_of(bytes.begin(), bytes.end(), [](char c) {
-        return std::isprint(static_cast<unsigned char>(c)) != 0 || c == '\n' || c == '\r' || c == '\t' ||
-               static_cast<unsigned char>(c) >= 0xc2;
-    });
-    return printable && bytes.find('\n') != std::string_view::npos;
+    std::size_t foreign = 0;
+    for (const char c : bytes) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x80 && std::isprint(byte) == 0 && c != '\n' && c != '\r' && c != '\t') {
+            return false;
+        }
+        foreign += byte >= 0x80 ? 1 : 0;
+    }
+    return bytes.find('\n') != std::string_view::npos && foreign * 3 < bytes.size();
 }
 
 /// The name that gzip keeps of what it packed; empty when it kept none.
@@ -147,11 +153,15 @@ std::optional<ForeignFormat> text_format(std::string_view text) {
         const std::size_t at = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
         return at != std::string_view::npos && holds_in_any_case(text.substr(at, what.size()), what);
     };
-    if (begins("<!doctype html") || begins("<html")) {
-        return ForeignFormat{"a web page, not the data", "download the file itself"};
-    }
+    // Such a file may hold samples behind its first lines.
     if (begins("<") && holds_in_any_case(text, "<VTKFile")) {
         return ForeignFormat{"a VTK XML file", by_paraview};
+    }
+    if (!is_text(text)) {
+        return std::nullopt;
+    }
+    if (begins("<!doctype html") || begins("<html")) {
+        return ForeignFormat{"a web page, not the data", "download the file itself"};
     }
     if (begins("<") && holds_in_any_case(text, "<COLLADA")) {
         return ForeignFormat{"a Collada scene", by_blender};
@@ -168,7 +178,7 @@ std::optional<ForeignFormat> text_format(std::string_view text) {
     if (begins("v ") || text.find("\nv ") != std::string_view::npos) {
         return ForeignFormat{"an OBJ mesh", "give it a name that ends in .obj"};
     }
-    return is_text(text) ? std::optional(ForeignFormat{"text", "samples must be binary numbers"}) : std::nullopt;
+    return ForeignFormat{"text", "samples must be binary numbers"};
 }
 
 /// Binary STL has no magic number: its length follows from the count of triangles behind 80 bytes.
@@ -197,7 +207,7 @@ std::optional<ForeignFormat> foreign_format(const std::filesystem::path& path) {
     } catch (const InputError&) {
         return std::nullopt;
     }
-    if (has(text, 0, "\x1f\x8b"sv)) {
+    if (has(text, 0, "\x1f\x8b\x08"sv)) {
         return gzipped(path, text);
     }
     if (auto volume = described_volume(text, length)) {

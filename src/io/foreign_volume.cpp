@@ -105,7 +105,8 @@ std::optional<Described> nifti(std::string_view bytes) {
             break;
     }
     volume.big = head.is_big();
-    volume.offset = std::int64_t(head.at<float>(108));
+    const float offset = head.at<float>(108);
+    volume.offset = offset >= 0.0F && offset < 1e9F ? std::int64_t(offset) : 0;
     return volume;
 }
 

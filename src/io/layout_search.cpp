@@ -92,12 +92,20 @@ SizeGuess judge_size(SampleRoughness& roughness, glm::ivec3 size) {
     return guess;
 }
 
-std::vector<SizeGuess> guess_sizes(SampleRoughness& roughness, std::int64_t count, double bound) {
+std::vector<SizeGuess> guess_sizes(SampleRoughness& roughness, std::int64_t count, double bound, double of_interest) {
     const std::vector<std::int64_t> lengths = divisors(count);
-    std::vector<SizeGuess> guesses;
+    std::vector<std::pair<double, std::int64_t>> rows;
     for (const std::int64_t x : lengths) {
-        if (x > longest_edge || (x > 1 && x < count && least_score(roughness, x) > bound)) {
-            continue;
+        if (x <= longest_edge) {
+            rows.emplace_back(x > 1 && x < count ? least_score(roughness, x) : -1e9, x);
+        }
+    }
+    // The likeliest first, so that the bound falls early.
+    std::sort(rows.begin(), rows.end());
+    std::vector<SizeGuess> guesses;
+    for (const auto& [least, x] : rows) {
+        if (least > bound) {
+            break;
         }
         for (const std::int64_t y : lengths) {
             if (y > longest_edge || (count / x) % y != 0 || count / x / y > longest_edge) {
@@ -107,6 +115,7 @@ std::vector<SizeGuess> guess_sizes(SampleRoughness& roughness, std::int64_t coun
             SizeGuess guess;
             if (judge_rows(roughness, size, bound, guess)) {
                 guess.score += size.z > 1 ? valley_score(roughness, size.x, size.y) : 0.0;
+                bound = std::min(bound, guess.score + of_interest);
                 guesses.push_back(guess);
             }
         }

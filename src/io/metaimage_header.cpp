@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "io/input_file.h"
+#include "io/raw_layout.h"
 #include "io/volume_header_text.h"
 
 /// MetaImage headers, after the format's description in the ITK wiki (MetaIO/Documentation): lines of 'Key = Value', of
@@ -105,6 +106,7 @@ VolumeHeader parse_metaimage(const std::filesystem::path& path, std::string_view
     VolumeHeader header{path, path, {}, {}};
     std::vector<std::size_t> kept;
     header.says.size = three_edges(sizes_of(fields.get("DimSize"), path, "DimSize"), path, kept);
+    check_size(*header.says.size, path.string());
     header.says.type = type_of(fields);
     const bool most_first = fields.is_true("BinaryDataByteOrderMSB") || fields.is_true("ElementByteOrderMSB");
     header.says.endian = most_first ? scene::Endian::big : scene::Endian::little;

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "io/input_file.h"
+#include "io/raw_layout.h"
 #include "io/volume_header_text.h"
 
 /// NRRD headers, after the format's definition (teem.sourceforge.net/nrrd/format.html): lines of 'field: value' up to
@@ -143,6 +144,7 @@ VolumeHeader parse_nrrd(const std::filesystem::path& path, std::string_view text
     VolumeHeader header{path, path, {}, {}};
     std::vector<std::size_t> kept;
     header.says.size = three_edges(sizes_of(get(fields, "sizes"), path, "sizes"), path, kept);
+    check_size(*header.says.size, path.string());
     header.says.type = type_of(fields, path);
     if (const std::string endian = lower_case(get(fields, "endian")); endian == "big" || endian == "little") {
         header.says.endian = endian == "big" ? scene::Endian::big : scene::Endian::little;

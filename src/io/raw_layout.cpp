@@ -116,26 +116,25 @@ struct Tellers {
 /// Asks header and name, whose faults do no harm once size and type are known from elsewhere.
 void ask(Tellers& tellers, const std::filesystem::path& path, RawLayout& layout) {
     using Source = scene::VolumeSource;
-    const auto unless_known = [&](const auto& question) {
-        try {
-            question();
-        } catch (const InputError&) {
-            if (!take(tellers.list, &Source::size, layout.size, layout.size_from) ||
-                !take(tellers.list, &Source::type, layout.type, layout.type_from)) {
-                throw;
-            }
-        }
-    };
-    unless_known([&] {
+    std::optional<InputError> fault;
+    try {
         tellers.header = header_of(path);
-        if (tellers.header) {
-            tellers.list.push_back({&tellers.header->says, "header " + tellers.header->path.filename().string()});
-        }
-    });
-    unless_known([&] {
+    } catch (const InputError& error) {
+        fault = error;
+    }
+    if (tellers.header) {
+        tellers.list.push_back({&tellers.header->says, "header " + tellers.header->path.filename().string()});
+    }
+    try {
         tellers.name = layout_from_name(path);
         tellers.list.push_back({&tellers.name, "file name"});
-    });
+    } catch (const InputError& error) {
+        fault = fault ? fault : error;
+    }
+    if (fault && !(take(tellers.list, &Source::size, layout.size, layout.size_from) &&
+                   take(tellers.list, &Source::type, layout.type, layout.type_from))) {
+        throw InputError(*fault);
+    }
 }
 
 /// What a published volume of this name and size says; empty for others.

@@ -146,7 +146,7 @@ std::vector<Draft> draft_layouts(std::span<const std::byte> bytes, const scene::
                 const double penalty = header.penalty + type_penalty(type, endian) + width_rating[std::size_t(width)];
                 const std::vector<SizeGuess> guesses =
                     header.size ? std::vector{judge_size(roughness, *header.size)}
-                                : guess_sizes(roughness, count, best + of_interest - penalty);
+                                : guess_sizes(roughness, count, best + of_interest - penalty, of_interest);
                 for (const SizeGuess& guess : guesses) {
                     best = std::min(best, guess.score + penalty);
                     drafts.push_back(

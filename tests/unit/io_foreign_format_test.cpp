@@ -18,7 +18,8 @@ using namespace std::string_literals;
 /// What a file of this beginning is called, whatever its own name says.
 std::string name_of(const std::string& bytes, const std::string& file = "renamed.raw") {
     const TemporaryFolder folder;
-    const auto found = foreign_format(folder.write(file, bytes + std::string(600, '\x01')));
+    const bool is_text = bytes.ends_with('\n');
+    const auto found = foreign_format(folder.write(file, bytes + std::string(600, is_text ? ' ' : '\x01')));
     return found ? found->name : "nothing";
 }
 
@@ -36,15 +37,15 @@ TEST(ForeignFormat, IsKnownByItsFirstBytes) {
     EXPECT_EQ(name_of("ply\nformat ascii 1.0\n"), "a PLY mesh");
     EXPECT_EQ(name_of("solid cube\nfacet normal 0 0 1\n"), "an STL mesh");
     EXPECT_EQ(name_of("glTF\x02"), "a binary glTF scene");
-    EXPECT_EQ(name_of("{\"asset\": {\"version\": \"2.0\"}}"), "a glTF scene");
+    EXPECT_EQ(name_of("{\"asset\": {\"version\": \"2.0\"}}\n"), "a glTF scene");
     EXPECT_EQ(name_of("Kaydara FBX Binary  "), "an FBX scene");
     EXPECT_EQ(name_of("PXR-USDC"), "a USD scene");
     EXPECT_EQ(name_of("\x89PNG\r\n\x1a\n"), "a PNG picture");
     EXPECT_TRUE(contains(name_of("PK\x03\x04"), "a zip archive"));
     EXPECT_EQ(name_of("\x28\xb5\x2f\xfd"), "data packed by Zstandard");
-    EXPECT_EQ(name_of("BZh91AY"), "data packed by bzip2");
+    EXPECT_EQ(name_of("BZh91AY&SY"), "data packed by bzip2");
     EXPECT_EQ(name_of("version https://git-lfs.github.com/spec/v1\n"), "a pointer of Git LFS, not the data");
-    EXPECT_EQ(name_of("<!DOCTYPE html>\n<html>"), "a web page, not the data");
+    EXPECT_EQ(name_of("<!DOCTYPE html>\n<html>\n"), "a web page, not the data");
     EXPECT_EQ(name_of("# made by hand\nv 0 0 0\nv 1 0 0\n"), "an OBJ mesh");
     EXPECT_EQ(name_of("\x1f\x8b\x08\0"s), "data packed by gzip");
     EXPECT_EQ(name_of("\x1f\x8b\x08\0"s, "scan.nii.gz"), "a gzipped NIfTI volume");
@@ -68,6 +69,9 @@ TEST(ForeignFormat, LeavesSamplesAlone) {
         ramp += char(n / 16);
     }
     EXPECT_FALSE(found(ramp));
+    EXPECT_FALSE(found("v " + std::string(4096, '\x10'))) << "no text";
+    EXPECT_FALSE(found("\x1f\x8b" + std::string(4096, '\x10')));
+    EXPECT_TRUE(found("Many greetings from K\xc3\xb6ln\n")) << "text of another alphabet";
     EXPECT_TRUE(found("1 2 3\n4 5 6\n")) << "text";
     EXPECT_FALSE(foreign_format(folder / "none.raw").has_value());
 }
