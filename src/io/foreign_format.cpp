@@ -112,8 +112,8 @@ bool holds_in_any_case(std::string_view text, std::string_view part) {
     return std::search(text.begin(), text.end(), part.begin(), part.end(), same_letters) != text.end();
 }
 
-/// Lines of printable characters, some of other alphabets; one long line of equal bytes may as well be samples.
-bool is_text(std::string_view bytes) {
+/// Printable characters, some of other alphabets.
+bool is_printable(std::string_view bytes) {
     std::size_t foreign = 0;
     for (const char c : bytes) {
         const auto byte = static_cast<unsigned char>(c);
@@ -122,7 +122,7 @@ bool is_text(std::string_view bytes) {
         }
         foreign += byte >= 0x80 ? 1 : 0;
     }
-    return bytes.find('\n') != std::string_view::npos && foreign * 3 < bytes.size();
+    return foreign * 3 < bytes.size();
 }
 
 /// The name that gzip keeps of what it packed; empty when it kept none.
@@ -157,7 +157,7 @@ std::optional<ForeignFormat> text_format(std::string_view text) {
     if (begins("<") && holds_in_any_case(text, "<VTKFile")) {
         return ForeignFormat{"a VTK XML file", by_paraview};
     }
-    if (!is_text(text)) {
+    if (!is_printable(text)) {
         return std::nullopt;
     }
     if (begins("<!doctype html") || begins("<html")) {
@@ -178,7 +178,10 @@ std::optional<ForeignFormat> text_format(std::string_view text) {
     if (begins("v ") || text.find("\nv ") != std::string_view::npos) {
         return ForeignFormat{"an OBJ mesh", "give it a name that ends in .obj"};
     }
-    return ForeignFormat{"text", "samples must be binary numbers"};
+    // One long line may as well be samples.
+    return text.find('\n') != std::string_view::npos
+               ? std::optional(ForeignFormat{"text", "samples must be binary numbers"})
+               : std::nullopt;
 }
 
 /// Binary STL has no magic number: its length follows from the count of triangles behind 80 bytes.

@@ -27,6 +27,12 @@ using Folders = std::vector<std::filesystem::path>;
 
 enum class FileKind { scene, raw_volume, mesh, builtin_volume, builtin_scene };
 
+/// Endings of formats that are not read, for files whose content does not tell.
+const std::vector<std::string> foreign_endings{
+    ".3ds", ".blend", ".csv", ".dae", ".dcm", ".exr", ".fbx", ".glb", ".gltf", ".gz",  ".h5",  ".hdf5",
+    ".hdr", ".jpg",   ".mat", ".nc",  ".nii", ".pdf", ".ply", ".png", ".pvm",  ".stl", ".stp", ".tga",
+    ".tif", ".tiff",  ".txt", ".usd", ".vdb", ".vti", ".vtk", ".vtp", ".vtu",  ".wrl", ".xml", ".zip"};
+
 bool holds(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -67,8 +73,13 @@ FileKind kind_of(const std::string& argument, const scene::VolumeSource& hints) 
                         argument, ending.empty() ? "a name without ending" : "'" + ending + "'"));
     }
     // Whatever its name, it holds samples if somebody tells their layout, and may hold them if its content is of no
-    // known format; the latter throws for others.
-    known_layout_parts(argument, hints);
+    // known format, which throws for others, and its name claims no other kind.
+    if (!known_layout_parts(argument, hints).complete() && holds(foreign_endings, ending)) {
+        throw InputError(
+            fmt::format("{}: '{}' is not read, and its first bytes are of no format that is known; if it "
+                        "holds plain samples, say --dims NXxNYxNZ and --type TYPE",
+                        argument, ending));
+    }
     return FileKind::raw_volume;
 }
 

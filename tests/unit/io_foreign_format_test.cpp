@@ -72,6 +72,7 @@ TEST(ForeignFormat, LeavesSamplesAlone) {
     EXPECT_FALSE(found("v " + std::string(4096, '\x10'))) << "no text";
     EXPECT_FALSE(found("\x1f\x8b" + std::string(4096, '\x10')));
     EXPECT_TRUE(found("Many greetings from K\xc3\xb6ln\n")) << "text of another alphabet";
+    EXPECT_TRUE(found(R"({"EchoTime": 0.003})")) << "text of one line that begins as none but JSON does";
     EXPECT_TRUE(found("1 2 3\n4 5 6\n")) << "text";
     EXPECT_FALSE(foreign_format(folder / "none.raw").has_value());
 }

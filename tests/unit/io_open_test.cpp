@@ -114,6 +114,9 @@ TEST(Open, ReadsAnyEndingWithALayoutAndAnyCase) {
     EXPECT_TRUE(contains(sentence, "likely are --dims 16x16x16 --type uint8")) << sentence;
     EXPECT_TRUE(contains(describe_file(riddle, {}), "--dims 16x16x16 --type uint8"));
     EXPECT_TRUE(contains(describe_file(folder.write("BELL.RAW", bell_bytes()).string(), {}), "unknown layout"));
+    EXPECT_TRUE(
+        contains(refusal([&] { open_files(std::vector{folder.write("a.dcm", bell_bytes()).string()}, {}, {}); }),
+                 "'.dcm' is not read, and its first bytes are of no format that is known"));
     const scene::Scene mesh =
         open_files(std::vector{folder.write("T.OBJ", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").string()}, {}, {});
     EXPECT_EQ(mesh.nodes.size(), 1U);
