@@ -83,6 +83,28 @@ FileKind kind_of(const std::string& argument, const scene::VolumeSource& hints) 
     return FileKind::raw_volume;
 }
 
+/// Says what was taken from the list of published volumes.
+void note_known_volume(const std::string& argument, const RawLayout& layout) {
+    std::string said_by;
+    std::string what;
+    const auto add = [&](const std::string& from, const std::string& words) {
+        if (from.starts_with("known volume")) {
+            said_by = from;
+            what += (what.empty() ? "" : ", ") + words;
+        }
+    };
+    const bool whole = layout.size_from == layout.type_from;
+    add(layout.size_from, whole ? layout_words(layout.size, layout.type)
+                                : fmt::format("{} x {} x {}", layout.size.x, layout.size.y, layout.size.z));
+    add(whole ? "" : layout.type_from, std::string(scene::enum_words<scene::VoxelType>()[std::size_t(layout.type)]));
+    add(layout.spacing_from, fmt::format("samples {:g} x {:g} x {:g} mm apart", 1e3 * layout.spacing_m.x,
+                                         1e3 * layout.spacing_m.y, 1e3 * layout.spacing_m.z));
+    add(layout.rotation_from, "set upright");
+    if (!what.empty()) {
+        log_note("{}: taken for the {}: {}", argument, said_by, what);
+    }
+}
+
 std::string unique_name(const scene::Scene& scene, const std::string& wanted) {
     std::string name = wanted;
     for (int n = 2; scene.nodes.contains(name); ++n) {
@@ -143,28 +165,6 @@ void add_volume(scene::Scene& scene, const std::string& name, scene::VolumeSourc
         glm::abs(turned[0]) * edges.x + glm::abs(turned[1]) * edges.y + glm::abs(turned[2]) * edges.z;
     volume.grid = std::move(grid);
     add_node(scene, name, std::move(volume), {-0.5 * extent, 0.5 * extent}, turn);
-}
-
-/// Says what was taken from the list of published volumes.
-void note_known_volume(const std::string& argument, const RawLayout& layout) {
-    std::string said_by;
-    std::string what;
-    const auto add = [&](const std::string& from, const std::string& words) {
-        if (from.starts_with("known volume")) {
-            said_by = from;
-            what += (what.empty() ? "" : ", ") + words;
-        }
-    };
-    const bool whole = layout.size_from == layout.type_from;
-    add(layout.size_from, whole ? layout_words(layout.size, layout.type)
-                                : fmt::format("{} x {} x {}", layout.size.x, layout.size.y, layout.size.z));
-    add(whole ? "" : layout.type_from, std::string(scene::enum_words<scene::VoxelType>()[std::size_t(layout.type)]));
-    add(layout.spacing_from, fmt::format("samples {:g} x {:g} x {:g} mm apart", 1e3 * layout.spacing_m.x,
-                                         1e3 * layout.spacing_m.y, 1e3 * layout.spacing_m.z));
-    add(layout.rotation_from, "set upright");
-    if (!what.empty()) {
-        log_note("{}: taken for the {}: {}", argument, said_by, what);
-    }
 }
 
 using Settings = std::span<const std::string>;
