@@ -8,8 +8,8 @@ namespace bruma::io {
 namespace {
 
 constexpr std::int64_t longest_edge = 1 << 16;
-constexpr double deepest_valley = 0.7;  ///< a factor of two: what is deeper tells no more than that
-constexpr double floor = 1e-3;          ///< keeps constant data from an infinite score: usual sizes then lead
+constexpr double deepest_valley = 0.7;    ///< a factor of two: what is deeper tells no more than that
+constexpr double roughness_floor = 1e-3;  ///< keeps constant data from an infinite score: usual sizes then lead
 
 /// How unusual an edge length is; 0 for powers of two.
 double edge_penalty(int edge) {
@@ -71,7 +71,7 @@ double mean_roughness(SampleRoughness& roughness, glm::ivec3 size) {
 /// The score without the valley of the slices, which costs the most to find; false when it cannot get below `bound`.
 bool judge_rows(SampleRoughness& roughness, glm::ivec3 size, double bound, SizeGuess& guess) {
     guess = {size, mean_roughness(roughness, size), 0.0};
-    guess.score = std::log(guess.roughness + floor) + size_penalty(size);
+    guess.score = std::log(guess.roughness + roughness_floor) + size_penalty(size);
     guess.score += size.y * size.z > 1 ? valley_score(roughness, 1, size.x) : 0.0;
     return guess.score - deepest_valley <= bound;
 }
@@ -80,7 +80,8 @@ bool judge_rows(SampleRoughness& roughness, glm::ivec3 size, double bound, SizeG
 double least_score(SampleRoughness& roughness, std::int64_t x) {
     // As if slices were all alike, and the size the most usual one.
     const double mean = (roughness.at_lag(1) + roughness.at_lag(x)) / 3.0;
-    return std::log(mean + floor) + valley_score(roughness, 1, x) + edge_penalty(int(x)) - 0.1 - deepest_valley;
+    return std::log(mean + roughness_floor) + valley_score(roughness, 1, x) + edge_penalty(int(x)) - 0.1 -
+           deepest_valley;
 }
 
 }  // namespace

@@ -17,18 +17,18 @@ namespace {
 
 using scene::VoxelType;
 
-struct TypeWord {
+struct MetaType {
     std::string_view word;
     VoxelType type;
 };
-constexpr std::array<TypeWord, 5> types{{{"MET_UCHAR", VoxelType::uint8},
-                                         {"MET_CHAR", VoxelType::int8},
-                                         {"MET_USHORT", VoxelType::uint16},
-                                         {"MET_SHORT", VoxelType::int16},
-                                         {"MET_FLOAT", VoxelType::float32}}};
+constexpr std::array<MetaType, 5> meta_types{{{"MET_UCHAR", VoxelType::uint8},
+                                              {"MET_CHAR", VoxelType::int8},
+                                              {"MET_USHORT", VoxelType::uint16},
+                                              {"MET_SHORT", VoxelType::int16},
+                                              {"MET_FLOAT", VoxelType::float32}}};
 
-/// Fields of a header, and where its samples begin if they stand behind it.
-struct Fields {
+/// MetaFields of a header, and where its samples begin if they stand behind it.
+struct MetaFields {
     const std::filesystem::path& path;
     std::map<std::string, std::string> values;
     std::int64_t end = 0;
@@ -41,11 +41,11 @@ struct Fields {
     }
 };
 
-Fields read_fields(const std::filesystem::path& path, std::string_view text) {
-    Fields fields{path, {}, 0};
+MetaFields read_meta_fields(const std::filesystem::path& path, std::string_view text) {
+    MetaFields fields{path, {}, 0};
     std::string_view left = text;
     while (!left.empty() && !fields.has("ElementDataFile")) {
-        const std::string_view line = take_line(left);
+        const std::string_view line = cut_line(left);
         if (const std::size_t mark = line.find('='); mark != std::string_view::npos) {
             fields.values[std::string(trimmed(line.substr(0, mark)))] = trimmed(line.substr(mark + 1));
         }
@@ -59,9 +59,9 @@ Fields read_fields(const std::filesystem::path& path, std::string_view text) {
     return fields;
 }
 
-VoxelType type_of(const Fields& fields) {
+VoxelType meta_type(const MetaFields& fields) {
     const std::string word = fields.get("ElementType");
-    for (const TypeWord& entry : types) {
+    for (const MetaType& entry : meta_types) {
         if (entry.word == word) {
             return entry.type;
         }
@@ -72,7 +72,7 @@ VoxelType type_of(const Fields& fields) {
                     fields.path.string(), word, fields.path.filename().string()));
 }
 
-void refuse_unreadable(const Fields& fields) {
+void refuse_unreadable_meta(const MetaFields& fields) {
     const std::string where = fields.path.string();
     const std::string file = fields.get("ElementDataFile");
     if (fields.is_true("CompressedData")) {
@@ -101,13 +101,13 @@ void refuse_unreadable(const Fields& fields) {
 }  // namespace
 
 VolumeHeader parse_metaimage(const std::filesystem::path& path, std::string_view text) {
-    const Fields fields = read_fields(path, text);
-    refuse_unreadable(fields);
+    const MetaFields fields = read_meta_fields(path, text);
+    refuse_unreadable_meta(fields);
     VolumeHeader header{path, path, {}, {}};
     std::vector<std::size_t> kept;
     header.says.size = three_edges(sizes_of(fields.get("DimSize"), path, "DimSize"), path, kept);
     check_size(*header.says.size, path.string());
-    header.says.type = type_of(fields);
+    header.says.type = meta_type(fields);
     const bool most_first = fields.is_true("BinaryDataByteOrderMSB") || fields.is_true("ElementByteOrderMSB");
     header.says.endian = most_first ? scene::Endian::big : scene::Endian::little;
 

@@ -17,30 +17,30 @@ namespace {
 
 using scene::VoxelType;
 
-struct TypeWords {
+struct NrrdType {
     VoxelType type;
     std::array<std::string_view, 6> words;
 };
-constexpr std::array<TypeWords, 5> types{
+constexpr std::array<NrrdType, 5> nrrd_types{
     {{VoxelType::int8, {"signed char", "int8", "int8_t"}},
      {VoxelType::uint8, {"uchar", "unsigned char", "uint8", "uint8_t"}},
      {VoxelType::int16, {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}},
      {VoxelType::uint16, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
      {VoxelType::float32, {"float"}}}};
 
-using Fields = std::map<std::string, std::string>;
+using NrrdFields = std::map<std::string, std::string>;
 
-std::string get(const Fields& fields, const std::string& key) {
+std::string value_of(const NrrdFields& fields, const std::string& key) {
     const auto found = fields.find(key);
     return found == fields.end() ? std::string() : found->second;
 }
 
 /// The fields by their names in lower case; `text` is left with what stands behind the header.
-Fields read_fields(const std::filesystem::path& path, std::string_view& text) {
-    Fields fields;
-    take_line(text);
+NrrdFields read_nrrd_fields(const std::filesystem::path& path, std::string_view& text) {
+    NrrdFields fields;
+    cut_line(text);
     while (!text.empty()) {
-        const std::string_view line = take_line(text);
+        const std::string_view line = cut_line(text);
         if (line.empty()) {
             break;
         }
@@ -51,16 +51,16 @@ Fields read_fields(const std::filesystem::path& path, std::string_view& text) {
         fields[lower_case(trimmed(line.substr(0, mark)))] = trimmed(line.substr(mark + 2));
     }
     for (const char* needed : {"type", "sizes", "encoding"}) {
-        if (get(fields, needed).empty()) {
+        if (value_of(fields, needed).empty()) {
             throw InputError(fmt::format("{}: an NRRD header without '{}'; is it whole?", path.string(), needed));
         }
     }
     return fields;
 }
 
-VoxelType type_of(const Fields& fields, const std::filesystem::path& path) {
-    const std::string word = lower_case(get(fields, "type"));
-    for (const TypeWords& entry : types) {
+VoxelType nrrd_type(const NrrdFields& fields, const std::filesystem::path& path) {
+    const std::string word = lower_case(value_of(fields, "type"));
+    for (const NrrdType& entry : nrrd_types) {
         for (const std::string_view known : entry.words) {
             if (!known.empty() && known == word) {
                 return entry.type;
@@ -73,15 +73,15 @@ VoxelType type_of(const Fields& fields, const std::filesystem::path& path) {
                     path.string(), word, path.filename().string()));
 }
 
-void refuse_unreadable(const Fields& fields, const std::filesystem::path& path) {
-    if (const std::string encoding = lower_case(get(fields, "encoding")); encoding != "raw") {
+void refuse_unreadable_nrrd(const NrrdFields& fields, const std::filesystem::path& path) {
+    if (const std::string encoding = lower_case(value_of(fields, "encoding")); encoding != "raw") {
         throw InputError(
             fmt::format("{}: its samples are encoded as {}, and only raw is read; write them plainly, as in: unu "
                         "save -f nrrd -e raw -i {} -o OUT.nrrd, or in 3D Slicer without the tick at Compress",
                         path.string(), encoding, path.filename().string()));
     }
     for (const char* key : {"line skip", "lineskip"}) {
-        if (const std::string skip = get(fields, key); !skip.empty() && skip != "0") {
+        if (const std::string skip = value_of(fields, key); !skip.empty() && skip != "0") {
             throw InputError(fmt::format("{}: '{}' is not read; say the bytes in 'byte skip'", path.string(), key));
         }
     }
@@ -99,9 +99,9 @@ double unit_mm(std::string unit) {
 }
 
 /// Length of the step between samples along each dimension that has one; 0 where nothing tells.
-std::vector<double> spacing_mm(const Fields& fields, const std::filesystem::path& path, bool& slanted) {
+std::vector<double> spacing_mm(const NrrdFields& fields, const std::filesystem::path& path, bool& slanted) {
     std::vector<double> steps;
-    const std::string space = get(fields, "space directions");
+    const std::string space = value_of(fields, "space directions");
     for (std::string_view left = space; !(left = trimmed(left)).empty();) {
         const std::size_t end = left.starts_with('(') ? left.find(')') : left.find_first_of(" \t");
         std::string part(left.substr(0, end));
@@ -121,9 +121,9 @@ std::vector<double> spacing_mm(const Fields& fields, const std::filesystem::path
         slanted = slanted || parts > 1;
         steps.push_back(std::sqrt(squares));
     }
-    const std::vector<std::string> units = split_words(get(fields, space.empty() ? "units" : "space units"));
+    const std::vector<std::string> units = split_words(value_of(fields, space.empty() ? "units" : "space units"));
     if (space.empty()) {
-        std::string words = get(fields, "spacings");
+        std::string words = value_of(fields, "spacings");
         for (const std::string& word : split_words(words)) {
             const bool told = lower_case(word) != "nan";
             steps.push_back(told ? std::abs(numbers_of(word, path, "spacings").at(0)) : 0.0);
@@ -139,14 +139,14 @@ std::vector<double> spacing_mm(const Fields& fields, const std::filesystem::path
 
 VolumeHeader parse_nrrd(const std::filesystem::path& path, std::string_view text) {
     std::string_view behind = text;
-    const Fields fields = read_fields(path, behind);
-    refuse_unreadable(fields, path);
+    const NrrdFields fields = read_nrrd_fields(path, behind);
+    refuse_unreadable_nrrd(fields, path);
     VolumeHeader header{path, path, {}, {}};
     std::vector<std::size_t> kept;
-    header.says.size = three_edges(sizes_of(get(fields, "sizes"), path, "sizes"), path, kept);
+    header.says.size = three_edges(sizes_of(value_of(fields, "sizes"), path, "sizes"), path, kept);
     check_size(*header.says.size, path.string());
-    header.says.type = type_of(fields, path);
-    if (const std::string endian = lower_case(get(fields, "endian")); endian == "big" || endian == "little") {
+    header.says.type = nrrd_type(fields, path);
+    if (const std::string endian = lower_case(value_of(fields, "endian")); endian == "big" || endian == "little") {
         header.says.endian = endian == "big" ? scene::Endian::big : scene::Endian::little;
     }
     bool slanted = false;
@@ -161,7 +161,8 @@ VolumeHeader parse_nrrd(const std::filesystem::path& path, std::string_view text
         header.unused.emplace_back("space directions");
     }
 
-    const std::string file = fields.contains("data file") ? get(fields, "data file") : get(fields, "datafile");
+    const std::string file =
+        fields.contains("data file") ? value_of(fields, "data file") : value_of(fields, "datafile");
     if (file.starts_with("LIST") || file.find('%') != std::string::npos) {
         throw InputError(fmt::format(
             "{}: its slices lie in one file each ({}), which is not read; join them, as in: cat SLICES > OUT.raw, and "
@@ -169,7 +170,8 @@ VolumeHeader parse_nrrd(const std::filesystem::path& path, std::string_view text
             path.string(), file));
     }
     header.data_file = file.empty() ? path : data_path(path, file);
-    const std::string skip = fields.contains("byte skip") ? get(fields, "byte skip") : get(fields, "byteskip");
+    const std::string skip =
+        fields.contains("byte skip") ? value_of(fields, "byte skip") : value_of(fields, "byteskip");
     const std::vector<double> skipped = numbers_of(skip, path, "byte skip");
     const double bytes = skipped.empty() || !(std::abs(skipped[0]) < 1e15) ? 0.0 : skipped[0];
     header.says.offset = (file.empty() ? std::int64_t(text.size() - behind.size()) : 0) + std::int64_t(bytes);

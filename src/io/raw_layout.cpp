@@ -71,7 +71,7 @@ void check_rest(const RawLayout& layout, const std::filesystem::path& path) {
 }
 
 void check_length(const RawLayout& layout, const std::filesystem::path& path) {
-    constexpr std::int64_t longest_header = 65536;
+    constexpr std::int64_t longest_left = 65536;
     const std::int64_t found = InputFile(layout.file).size();
     const std::int64_t missing = layout.bytes_needed() - found;
     if (missing == 0) {
@@ -84,7 +84,7 @@ void check_length(const RawLayout& layout, const std::filesystem::path& path) {
     std::string next = layout.offset > 0 ? "are --dims, --type or --offset wrong?" : "are --dims or --type wrong?";
     if (layout.size_from != "options" && layout.size_from != "file name") {
         next = fmt::format("is the {} about another file?", layout.size_from);
-    } else if (missing < 0 && -missing <= longest_header && layout.offset_from == nobody) {
+    } else if (missing < 0 && -missing <= longest_left && layout.offset_from == nobody) {
         next += fmt::format(" If {} bytes stand before the samples, say --offset {}", -missing, -missing);
     }
     throw InputError(fmt::format("{}: {} bytes, but {}{} needs {}; {}", layout.file.string(), found, header,

@@ -29,7 +29,7 @@ bool begins_as_nrrd(std::string_view text) {
 /// MetaImage has no magic number: one of its first lines says what it is.
 bool begins_as_metaimage(std::string_view text) {
     for (int line = 0; line < 8 && !text.empty(); ++line) {
-        const std::string_view words = take_line(text);
+        const std::string_view words = cut_line(text);
         const std::string_view key = trimmed(words.substr(0, words.find('=')));
         if (words.find('=') == std::string_view::npos) {
             return false;
@@ -76,7 +76,7 @@ bool names(const std::filesystem::path& header, const std::filesystem::path& raw
     }
     std::string_view left = text;
     while (!left.empty()) {
-        const std::string_view line = take_line(left);
+        const std::string_view line = cut_line(left);
         const std::size_t mark = line.find_first_of("=:");
         const std::string key = lower_case(trimmed(line.substr(0, std::min(mark, line.size()))));
         if (mark != std::string_view::npos && (key == "elementdatafile" || key == "data file" || key == "datafile")) {
@@ -89,7 +89,7 @@ bool names(const std::filesystem::path& header, const std::filesystem::path& raw
 
 }  // namespace
 
-std::string_view take_line(std::string_view& text) {
+std::string_view cut_line(std::string_view& text) {
     const std::size_t end = text.find('\n');
     std::string_view line = text.substr(0, end);
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
