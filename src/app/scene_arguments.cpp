@@ -159,10 +159,13 @@ void refuse_empty_words(CLI::App& app, const std::vector<std::string>& options) 
 }
 
 void SceneArguments::declare(CLI::App& app, bool with_view) {
-    app.add_option("files", files,
-                   "a .json scene, .raw volumes, .obj and .off meshes, builtin:NAME; several are added to one scene");
+    app.add_option(
+        "files", files,
+        "a .json scene, volumes (.raw, .mhd, .nrrd), meshes (.obj, .off), builtin:NAME; several are added to one "
+        "scene");
     app.add_option("--set", settings, "PATH=VALUE: any parameter of the scene, e.g. volume.lighting=gradient");
-    app.add_option("--dims", dims, "samples of a headerless volume, as 256x256x128");
+    app.add_option("--dims", dims,
+                   "samples of a headerless volume, as 256x256x128; of several files, for those that do not say it");
     app.add_option("--type", type, "type of its samples: uint8, int8, uint16, int16, float32");
     app.add_option("--spacing", spacing, "millimetres between its samples, as 1,1,2");
     app.add_option("--offset", offset, "bytes before its first sample");

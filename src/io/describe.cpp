@@ -123,8 +123,7 @@ std::string scene_text(const std::string& path, std::span<const std::string> set
 std::string describe_file(const std::string& argument, const scene::VolumeSource& hints,
                           std::span<const std::string> settings,
                           const std::vector<std::filesystem::path>& preset_folders) {
-    const std::string ending = std::filesystem::path(argument).extension().string();
-    const bool is_scene = !is_mesh(argument) && (is_builtin(argument) || ending != ".raw");
+    const bool is_scene = !is_mesh(argument) && (is_builtin(argument) || !is_raw_volume(argument, hints));
     if (!settings.empty() && !is_scene) {
         throw InputError(fmt::format("--set {}: changes a scene, but of {} is told what the file holds; leave it out",
                                      settings.front(), argument));

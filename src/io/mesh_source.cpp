@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "io/ascii_triangles.h"
+#include "io/foreign_format.h"
 #include "io/grid_source.h"
 #include "io/mesh_texture.h"
 #include "io/obj_mesh.h"
@@ -60,6 +61,7 @@ scene::LoadedMesh load_by_kind(const scene::MeshSource& source, const Progress& 
     if (ending == ".raw") {
         return load_triangle_text(source.file, source, progress);
     }
+    refuse_foreign_format(source.file);
     throw InputError(
         fmt::format("{}: is not read as a mesh; known are .obj, .off, .raw texts of triangles and "
                     "builtin:NAME",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 #include "base/error.h"
 #include "base/log.h"
@@ -26,11 +27,17 @@ using Folders = std::vector<std::filesystem::path>;
 
 enum class FileKind { scene, raw_volume, mesh, builtin_volume, builtin_scene };
 
+/// Endings of formats that are not read, for files whose content does not tell.
+const std::vector<std::string> foreign_endings{
+    ".3ds", ".blend", ".csv", ".dae", ".dcm", ".exr", ".fbx", ".glb", ".gltf", ".gz",  ".h5",  ".hdf5",
+    ".hdr", ".jpg",   ".mat", ".nc",  ".nii", ".pdf", ".ply", ".png", ".pvm",  ".stl", ".stp", ".tga",
+    ".tif", ".tiff",  ".txt", ".usd", ".vdb", ".vti", ".vtk", ".vtp", ".vtu",  ".wrl", ".xml", ".zip"};
+
 bool holds(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-FileKind kind_of(const std::string& argument) {
+FileKind kind_of(const std::string& argument, const scene::VolumeSource& hints) {
     if (is_mesh(argument)) {
         return FileKind::mesh;
     }
@@ -58,10 +65,44 @@ FileKind kind_of(const std::string& argument) {
     if (ending == ".raw") {
         return FileKind::raw_volume;
     }
-    throw InputError(
-        fmt::format("{}: {} is not read; known are .json scenes, .raw volumes, .obj, .off and .raw meshes "
-                    "and builtin:NAME",
-                    argument, ending.empty() ? "a name without ending" : "'" + ending + "'"));
+    std::error_code ignored;
+    if (!std::filesystem::exists(argument, ignored)) {
+        throw InputError(
+            fmt::format("{}: {} is not read; known are .json scenes, .raw volumes, .obj, .off and .raw meshes "
+                        "and builtin:NAME",
+                        argument, ending.empty() ? "a name without ending" : "'" + ending + "'"));
+    }
+    // Whatever its name, it holds samples if somebody tells their layout, and may hold them if its content is of no
+    // known format, which throws for others, and its name claims no other kind.
+    if (!known_layout_parts(argument, hints).complete() && holds(foreign_endings, ending)) {
+        throw InputError(
+            fmt::format("{}: '{}' is not read, and its first bytes are of no format that is known; if it "
+                        "holds plain samples, say --dims NXxNYxNZ and --type TYPE",
+                        argument, ending));
+    }
+    return FileKind::raw_volume;
+}
+
+/// Says what was taken from the list of published volumes.
+void note_known_volume(const std::string& argument, const RawLayout& layout) {
+    std::string said_by;
+    std::string what;
+    const auto add = [&](const std::string& from, const std::string& words) {
+        if (from.starts_with("known volume")) {
+            said_by = from;
+            what += (what.empty() ? "" : ", ") + words;
+        }
+    };
+    const bool whole = layout.size_from == layout.type_from;
+    add(layout.size_from, whole ? layout_words(layout.size, layout.type)
+                                : fmt::format("{} x {} x {}", layout.size.x, layout.size.y, layout.size.z));
+    add(whole ? "" : layout.type_from, std::string(scene::enum_words<scene::VoxelType>()[std::size_t(layout.type)]));
+    add(layout.spacing_from, fmt::format("samples {:g} x {:g} x {:g} mm apart", 1e3 * layout.spacing_m.x,
+                                         1e3 * layout.spacing_m.y, 1e3 * layout.spacing_m.z));
+    add(layout.rotation_from, "set upright");
+    if (!what.empty()) {
+        log_note("{}: taken for the {}: {}", argument, said_by, what);
+    }
 }
 
 std::string unique_name(const scene::Scene& scene, const std::string& wanted) {
@@ -136,7 +177,7 @@ scene::Scene whole_scene(const std::string& argument, FileKind kind, Settings se
 
 void add_without_light(scene::Scene& scene, const std::string& argument, const scene::VolumeSource& hints,
                        Settings settings, const Progress& progress, const Folders& folders) {
-    const FileKind kind = kind_of(argument);
+    const FileKind kind = kind_of(argument, hints);
     if (kind == FileKind::scene || kind == FileKind::builtin_scene) {
         if (!scene.nodes.empty()) {
             throw InputError(
@@ -162,11 +203,7 @@ void add_without_light(scene::Scene& scene, const std::string& argument, const s
     if (kind == FileKind::raw_volume) {
         const RawLayout layout = find_raw_layout(argument, hints);
         rotation_deg = layout.rotation_deg;
-        if (layout.rotation_from.starts_with("known volume")) {
-            log_note("{}: taken for the {}, with samples {:g} x {:g} x {:g} mm apart ({}) and set upright", argument,
-                     layout.rotation_from, 1e3 * layout.spacing_m.x, 1e3 * layout.spacing_m.y, 1e3 * layout.spacing_m.z,
-                     layout.spacing_from);
-        }
+        note_known_volume(argument, layout);
     }
     add_volume(scene, name, std::move(source), std::move(grid), rotation_deg);
 }
@@ -184,19 +221,56 @@ void add_default_light(scene::Scene& scene) {
 
 }  // namespace
 
+bool is_raw_volume(const std::string& argument, const scene::VolumeSource& hints) {
+    return kind_of(argument, hints) == FileKind::raw_volume;
+}
+
+std::vector<scene::VolumeSource> hints_for_each(std::span<const std::string> arguments,
+                                                const scene::VolumeSource& hints) {
+    std::vector<scene::VolumeSource> each(arguments.size(), hints);
+    std::vector<std::size_t> raw;
+    for (std::size_t n = 0; n < arguments.size(); ++n) {
+        if (is_raw_volume(arguments[n], hints)) {
+            raw.push_back(n);
+        }
+    }
+    if (raw.size() < 2) {
+        return each;
+    }
+    std::map<std::string, std::vector<std::string>> overruled_in;
+    for (const std::size_t n : raw) {
+        std::vector<std::string> overruled;
+        each[n] = hints_among_others(arguments[n], hints, overruled);
+        for (const std::string& option : overruled) {
+            overruled_in[option].push_back(arguments[n]);
+        }
+    }
+    for (const auto& [option, files] : overruled_in) {
+        if (files.size() == raw.size()) {
+            throw InputError(
+                fmt::format("{} holds for none of the {} files, since each says its own by its name, a header or a "
+                            "sidecar; open a file alone to overrule what it says",
+                            option, raw.size()));
+        }
+        for (const std::string& file : files) {
+            log_note("{}: {} holds for the other files; this one says its own", file, option);
+        }
+    }
+    return each;
+}
+
 scene::Scene open_files(std::span<const std::string> arguments, const scene::VolumeSource& hints,
                         std::span<const std::string> settings, const Progress& progress,
                         const Folders& preset_folders) {
     // Names are judged before the first gigabyte is read.
-    for (const std::string& argument : arguments) {
-        kind_of(argument);
-    }
+    const std::vector<scene::VolumeSource> own_hints = hints_for_each(arguments, hints);
     scene::Scene scene;
     for (std::size_t n = 0; n < arguments.size(); ++n) {
         const auto part = [&](double share, std::string_view what) {
             progress((double(n) + share) / double(arguments.size()), what);
         };
-        add_without_light(scene, arguments[n], hints, settings, progress ? Progress(part) : Progress(), preset_folders);
+        add_without_light(scene, arguments[n], own_hints[n], settings, progress ? Progress(part) : Progress(),
+                          preset_folders);
     }
     add_default_light(scene);
     return settings.empty() ? scene : with_settings(scene, settings, progress, preset_folders);

@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "base/error.h"
+#include "io/foreign_format.h"
 #include "io/input_file.h"
 #include "io/known_volumes.h"
 #include "io/raw_name.h"
 #include "io/raw_proposals.h"
 #include "io/raw_sidecar.h"
+#include "io/volume_header.h"
 
 namespace bruma::io {
 namespace {
@@ -69,14 +71,128 @@ void check_rest(const RawLayout& layout, const std::filesystem::path& path) {
 }
 
 void check_length(const RawLayout& layout, const std::filesystem::path& path) {
-    const std::int64_t found = InputFile(path).size();
-    if (found == layout.bytes_needed()) {
+    constexpr std::int64_t longest_left = 65536;
+    const std::int64_t found = InputFile(layout.file).size();
+    const std::int64_t missing = layout.bytes_needed() - found;
+    if (missing == 0) {
         return;
     }
+    if (layout.file == path) {
+        refuse_foreign_format(path);
+    }
     const std::string header = layout.offset > 0 ? fmt::format("an offset of {} and ", layout.offset) : "";
-    throw InputError(fmt::format("{}: {} bytes, but {}{} needs {}; are --dims{} --type{} wrong?", path.string(), found,
-                                 header, layout_words(layout.size, layout.type), layout.bytes_needed(),
-                                 layout.offset > 0 ? "," : " or", layout.offset > 0 ? " or --offset" : ""));
+    std::string next = layout.offset > 0 ? "are --dims, --type or --offset wrong?" : "are --dims or --type wrong?";
+    if (layout.size_from != "options" && layout.size_from != "file name") {
+        next = fmt::format("is the {} about another file?", layout.size_from);
+    } else if (missing < 0 && -missing <= longest_left && layout.offset_from == nobody) {
+        next += fmt::format(" If {} bytes stand before the samples, say --offset {}", -missing, -missing);
+    }
+    throw InputError(fmt::format("{}: {} bytes, but {}{} needs {}; {}", layout.file.string(), found, header,
+                                 layout_words(layout.size, layout.type), layout.bytes_needed(), next));
+}
+
+/// The header that a file is, or that names it. Throws InputError when a header names a file that is not there.
+std::optional<VolumeHeader> header_of(const std::filesystem::path& path) {
+    if (!is_volume_header(path)) {
+        return header_beside(path);
+    }
+    VolumeHeader header = read_volume_header(path);
+    std::error_code ignored;
+    if (!std::filesystem::exists(header.data_file, ignored)) {
+        throw InputError(fmt::format("{}: its samples should be in {}, which is not there; was it moved or renamed?",
+                                     path.string(), header.data_file.string()));
+    }
+    return header;
+}
+
+/// Everybody who says something of a file's layout, the first with the last word.
+struct Tellers {
+    std::vector<Teller> list;
+    std::optional<Sidecar> sidecar;
+    std::optional<VolumeHeader> header;
+    scene::VolumeSource name;
+};
+
+/// Asks header and name, whose faults do no harm once size and type are known from elsewhere.
+void ask(Tellers& tellers, const std::filesystem::path& path, RawLayout& layout) {
+    using Source = scene::VolumeSource;
+    std::optional<InputError> fault;
+    try {
+        tellers.header = header_of(path);
+    } catch (const InputError& error) {
+        fault = error;
+    }
+    if (tellers.header) {
+        tellers.list.push_back({&tellers.header->says, "header " + tellers.header->path.filename().string()});
+    }
+    try {
+        tellers.name = layout_from_name(path);
+        tellers.list.push_back({&tellers.name, "file name"});
+    } catch (const InputError& error) {
+        fault = fault ? fault : error;
+    }
+    if (fault && !(take(tellers.list, &Source::size, layout.size, layout.size_from) &&
+                   take(tellers.list, &Source::type, layout.type, layout.type_from))) {
+        throw InputError(*fault);
+    }
+}
+
+/// What a published volume of this name and size says; empty for others.
+std::optional<KnownVolume> published_volume(const RawLayoutParts& known) {
+    const auto size = known.has_size ? std::optional(known.layout.size) : std::nullopt;
+    const auto type = known.has_type ? std::optional(known.layout.type) : std::nullopt;
+    return known_volume(known.layout.file, size, type, InputFile(known.layout.file).size() - known.layout.offset);
+}
+
+RawLayoutParts gather(const std::filesystem::path& path, const scene::VolumeSource& hints) {
+    using Source = scene::VolumeSource;
+    RawLayoutParts known;
+    RawLayout& layout = known.layout;
+    Tellers tellers;
+    tellers.list.push_back({&hints, "options"});
+    tellers.sidecar = read_sidecar(path);
+    const std::string sidecar_name =
+        tellers.sidecar ? "sidecar " + tellers.sidecar->path.filename().string() : std::string();
+    if (tellers.sidecar) {
+        tellers.list.push_back({&tellers.sidecar->says, sidecar_name});
+    }
+    ask(tellers, path, layout);
+    layout.file = tellers.header && tellers.header->path == path ? tellers.header->data_file : path;
+    known.has_size = take(tellers.list, &Source::size, layout.size, layout.size_from);
+    known.has_type = take(tellers.list, &Source::type, layout.type, layout.type_from);
+    take(tellers.list, &Source::endian, layout.endian, layout.endian_from);
+    take(tellers.list, &Source::offset, layout.offset, layout.offset_from);
+    if (known.has_size) {
+        check_size(layout.size, path.string());
+    }
+    const std::optional<KnownVolume> published = published_volume(known);
+    Source says_published;
+    if (published) {
+        says_published.spacing = published->spacing_m;
+        says_published.size = published->size;
+        const std::int64_t samples = std::int64_t(published->size.x) * published->size.y * published->size.z;
+        const std::int64_t width = scene::bytes_per_voxel(published->type);
+        if (samples * width == InputFile(layout.file).size() - layout.offset) {
+            says_published.type = published->type;
+        }
+        tellers.list.push_back({&says_published, "known volume " + published->name});
+        known.has_size = take(tellers.list, &Source::size, layout.size, layout.size_from);
+        known.has_type = take(tellers.list, &Source::type, layout.type, layout.type_from);
+    }
+    take(tellers.list, &Source::spacing, layout.spacing_m, layout.spacing_from);
+    layout.rotation_from = nobody;
+    if (tellers.sidecar && tellers.sidecar->rotation_deg) {
+        layout.rotation_deg = *tellers.sidecar->rotation_deg;
+        layout.rotation_from = sidecar_name;
+    } else if (published && published->rotation_deg) {
+        layout.rotation_deg = *published->rotation_deg;
+        layout.rotation_from = tellers.list.back().name;
+    }
+    if (tellers.header) {
+        layout.unused = tellers.header->unused;
+    }
+    check_rest(layout, path);
+    return known;
 }
 
 }  // namespace
@@ -115,49 +231,38 @@ scene::VolumeSource RawLayoutParts::as_hints() const {
 
 RawLayoutParts known_layout_parts(const std::filesystem::path& path, const scene::VolumeSource& hints) {
     const InputFile readable(path);  // missing, empty and unreadable files are told before anything about their layout
-    using Source = scene::VolumeSource;
-    RawLayoutParts known;
-    RawLayout& layout = known.layout;
-    const std::optional<Sidecar> sidecar = read_sidecar(path);
-    std::vector<Teller> tellers{{&hints, "options"}};
-    if (sidecar) {
-        tellers.push_back({&sidecar->says, "sidecar " + sidecar->path.filename().string()});
+    RawLayoutParts known = gather(path, hints);
+    if (!known.complete()) {
+        refuse_foreign_format(path);
     }
-    Source name;
-    try {
-        name = layout_from_name(path);
-        tellers.push_back({&name, "file name"});
-    } catch (const InputError&) {
-        // A name that contradicts itself does no harm once size and type are known from elsewhere.
-        if (!take(tellers, &Source::size, layout.size, layout.size_from) ||
-            !take(tellers, &Source::type, layout.type, layout.type_from)) {
-            throw;
-        }
-    }
-    known.has_size = take(tellers, &Source::size, layout.size, layout.size_from);
-    known.has_type = take(tellers, &Source::type, layout.type, layout.type_from);
-    take(tellers, &Source::endian, layout.endian, layout.endian_from);
-    take(tellers, &Source::offset, layout.offset, layout.offset_from);
-    const std::optional<KnownVolume> published = known.has_size ? known_volume(path, layout.size) : std::nullopt;
-    Source says_published;
-    if (published) {
-        says_published.spacing = published->spacing_m;
-        tellers.push_back({&says_published, "known volume " + published->name});
-    }
-    take(tellers, &Source::spacing, layout.spacing_m, layout.spacing_from);
-    layout.rotation_from = nobody;
-    if (sidecar && sidecar->rotation_deg) {
-        layout.rotation_deg = *sidecar->rotation_deg;
-        layout.rotation_from = tellers[1].name;
-    } else if (published) {
-        layout.rotation_deg = published->rotation_deg;
-        layout.rotation_from = tellers.back().name;
-    }
-    if (known.has_size) {
-        check_size(layout.size, path.string());
-    }
-    check_rest(layout, path);
     return known;
+}
+
+scene::VolumeSource hints_among_others(const std::filesystem::path& path, const scene::VolumeSource& hints,
+                                       std::vector<std::string>& overruled) {
+    scene::VolumeSource left = hints;
+    RawLayout own;
+    try {
+        own = gather(path, {}).layout;
+    } catch (const InputError&) {
+        return left;  // what its name or header contradicts is told when the file is opened
+    }
+    const auto keep_own = [&](auto part, const auto& value, const std::string& from, const char* option) {
+        const bool said = from != nobody && !from.starts_with("known volume");
+        if (said && left.*part) {
+            if (*(left.*part) != value) {
+                overruled.emplace_back(option);
+            }
+            (left.*part).reset();
+        }
+    };
+    using Source = scene::VolumeSource;
+    keep_own(&Source::size, own.size, own.size_from, "--dims");
+    keep_own(&Source::type, own.type, own.type_from, "--type");
+    keep_own(&Source::spacing, own.spacing_m, own.spacing_from, "--spacing");
+    keep_own(&Source::endian, own.endian, own.endian_from, "--endian");
+    keep_own(&Source::offset, own.offset, own.offset_from, "--offset");
+    return left;
 }
 
 RawLayout find_raw_layout(const std::filesystem::path& path, const scene::VolumeSource& hints) {

@@ -91,6 +91,25 @@ std::vector<std::string> words_of(const std::string& stem) {
     return words;
 }
 
+/// Types that are plain words too, and so say nothing beside a type that is none: 'short_8x8x8_uint8.raw'.
+constexpr std::array<std::string_view, 4> plain_words{"byte", "char", "short", "float"};
+
+bool is_plain(const std::string& word) {
+    return std::find(plain_words.begin(), plain_words.end(), lower(word)) != plain_words.end();
+}
+
+/// The words of a name that may say something: plain words are left out beside a type that is none.
+std::vector<bool> telling(const std::vector<std::string>& words) {
+    const bool exact = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+        return voxel_type_of_word(word).has_value() && !is_plain(word);
+    });
+    std::vector<bool> result;
+    for (const std::string& word : words) {
+        result.push_back(!exact || !is_plain(word));
+    }
+    return result;
+}
+
 /// Takes one word of a name into `found`; false when it says nothing about the layout.
 bool take_word(const std::string& given, const std::filesystem::path& path, scene::VolumeSource& found) {
     const std::string word = lower(given);
@@ -109,7 +128,6 @@ bool take_word(const std::string& given, const std::filesystem::path& path, scen
         return true;
     }
     if (const auto type = voxel_type_of_word(word)) {
-        // 'char', 'short', 'byte' and 'float' are also plain words: a second, different one is no contradiction.
         if (found.type && *found.type != *type) {
             throw InputError(fmt::format("{}: the name says two types, the second is {}; say which by --type",
                                          path.string(), given));
@@ -141,8 +159,12 @@ std::optional<VoxelType> voxel_type_of_word(std::string_view word) {
 
 scene::VolumeSource layout_from_name(const std::filesystem::path& path) {
     scene::VolumeSource found;
-    for (const std::string& word : words_of(path.stem().string())) {
-        take_word(word, path, found);
+    const std::vector<std::string> words = words_of(path.stem().string());
+    const std::vector<bool> tells = telling(words);
+    for (std::size_t n = 0; n < words.size(); ++n) {
+        if (tells[n]) {
+            take_word(words[n], path, found);
+        }
     }
     return found;
 }
@@ -152,10 +174,13 @@ std::string make_grid_name(const std::filesystem::path& path) {
     std::string name;
     std::size_t from = 0;
     scene::VolumeSource said;
-    for (const std::string& word : words_of(stem)) {
+    const std::vector<std::string> words = words_of(stem);
+    const std::vector<bool> tells = telling(words);
+    for (std::size_t n = 0; n < words.size(); ++n) {
+        const std::string& word = words[n];
         bool about_layout = true;
         try {
-            about_layout = take_word(word, path, said);
+            about_layout = tells[n] && take_word(word, path, said);
         } catch (const InputError&) {
             // A contradiction is told where the layout is needed; here it is enough that the word is not a name.
         }

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 #include <tuple>
 
+#include "io/layout_search.h"
+#include "io/raw_headers.h"
 #include "io/sample_roughness.h"
 
 namespace bruma::io {
@@ -16,170 +19,169 @@ namespace {
 using scene::Endian;
 using scene::VoxelType;
 
-/// How unusual an edge length is; 0 for powers of two.
-double edge_penalty(int edge) {
-    if ((edge & (edge - 1)) == 0) {
-        return 0.0;
-    }
-    return edge % 64 == 0 ? 0.03 : edge % 8 == 0 ? 0.06 : edge % 2 == 0 ? 0.1 : 0.13;
-}
-
-/// How unusual a size is, in the unit of the score (natural logarithm of the roughness). The weights only order what
-/// smoothness leaves nearly even: factors of two in the roughness outweigh all of them but extreme shapes.
-double size_penalty(glm::ivec3 size) {
-    const int longest = std::max({size.x, size.y, size.z});
-    const int shortest = std::min({size.x, size.y, size.z});
-    double penalty = edge_penalty(size.x) + edge_penalty(size.y) + edge_penalty(size.z);
-    penalty += 0.15 * std::log2(double(longest) / shortest);
-    if (size.x == size.y && size.y == size.z) {
-        penalty -= 0.15;
-    } else if (size.x != size.y) {
-        // Scanners make square slices; odd slices are mostly cropped ones.
-        penalty += 0.2;
-    }
-    return shortest < 4 ? penalty + 2.0 : penalty;
-}
-
-std::vector<std::int64_t> divisors(std::int64_t n) {
-    std::vector<std::int64_t> found;
-    for (std::int64_t d = 1; d * d <= n; ++d) {
-        if (n % d == 0) {
-            found.push_back(d);
-            if (d != n / d) {
-                found.push_back(n / d);
-            }
-        }
-    }
-    std::sort(found.begin(), found.end());
-    return found;
-}
-
-struct RatedSize {
-    glm::ivec3 size;
-    double penalty;
-};
-
-/// The sizes of exactly `count` samples, most usual first, at most `most` of them.
-std::vector<RatedSize> usual_sizes(std::int64_t count, std::size_t most) {
-    constexpr std::int64_t longest_edge = 1 << 16;
-    std::vector<RatedSize> sizes;
-    const std::vector<std::int64_t> all = divisors(count);
-    for (const std::int64_t x : all) {
-        for (const std::int64_t y : all) {
-            if (x > longest_edge || y > longest_edge || (count / x) % y != 0 || count / x / y > longest_edge) {
-                continue;
-            }
-            const glm::ivec3 size(x, y, count / x / y);
-            sizes.push_back({size, size_penalty(size)});
-        }
-    }
-    std::stable_sort(sizes.begin(), sizes.end(),
-                     [](const RatedSize& a, const RatedSize& b) { return a.penalty < b.penalty; });
-    sizes.resize(std::min(sizes.size(), most));
-    return sizes;
-}
-
-/// Headers worth trying: none, the usual lengths, and what a usual cube leaves over.
-std::set<std::int64_t> usual_offsets(std::int64_t length, const scene::VolumeSource& hints, std::int64_t width) {
-    if (hints.offset) {
-        return {*hints.offset};
-    }
-    if (hints.size) {
-        const std::int64_t needed = std::int64_t(hints.size->x) * hints.size->y * hints.size->z * width;
-        return {length - needed};
-    }
-    std::set<std::int64_t> offsets{0, 128, 256, 352, 512, 1024};
-    for (const std::int64_t edge : {32, 64, 128, 256, 512, 1024}) {
-        const std::int64_t left = length - edge * edge * edge * width;
-        if (left > 0 && left <= 65536) {
-            offsets.insert(left);
-        }
-    }
-    return offsets;
-}
-
-double offset_penalty(std::int64_t offset) {
-    static constexpr std::array<std::int64_t, 5> usual{128, 256, 352, 512, 1024};
-    return offset == 0 ? 0.0 : std::find(usual.begin(), usual.end(), offset) != usual.end() ? 0.5 : 0.7;
-}
-
 double type_penalty(VoxelType type, Endian endian) {
     static constexpr std::array<double, 5> by_type{0.0, 0.15, 0.02, 0.1, 0.02};
     return by_type[std::size_t(type)] + (endian == Endian::big ? 0.05 : 0.0);
 }
 
-std::string reason_words(glm::ivec3 size, double roughness) {
-    const char* shape = size.x == size.y && size.y == size.z ? "a cube"
-                        : size.x == size.y                   ? "square slices"
-                                                             : "edges that fit the length";
-    return fmt::format("{}; neighbours differ by {:.1f} % of what distant samples do", shape, 100.0 * roughness);
+std::string reason_words(const SizeGuess& guess, bool in_header) {
+    const glm::ivec3 size = guess.size;
+    const char* shape = in_header                              ? "the file begins with these numbers"
+                        : size.x == size.y && size.y == size.z ? "a cube"
+                        : size.x == size.y                     ? "square slices"
+                                                               : "edges that fit the length";
+    return fmt::format("{}; neighbours differ by {:.1f} % of what distant samples do", shape, 100.0 * guess.roughness);
 }
 
-/// Over the axes that have neighbours.
-double mean_roughness(SampleRoughness& roughness, glm::ivec3 size) {
-    const std::int64_t row = size.x;
-    const std::array<std::int64_t, 3> lags{1, row, row * size.y};
+struct Draft {
+    RawProposal proposal;
+    HeaderGuess header;
+    double penalty = 0.0;  ///< of all but the size
+};
+
+/// The `most` likeliest, best first, each layout once.
+void sort_out(std::vector<Draft>& drafts, std::size_t most) {
+    std::stable_sort(drafts.begin(), drafts.end(),
+                     [](const Draft& a, const Draft& b) { return a.proposal.score < b.proposal.score; });
+    std::set<std::tuple<int, int, int, VoxelType, Endian, std::int64_t>> seen;
+    std::erase_if(drafts, [&](const Draft& draft) {
+        const RawProposal& p = draft.proposal;
+        return !seen.insert({p.size.x, p.size.y, p.size.z, p.type, p.endian, p.offset}).second;
+    });
+    drafts.resize(std::min(drafts.size(), most));
+}
+
+/// Half the sum of |differences| of two histograms of bytes: those at `first` and at `second` bytes within every four.
+double histogram_distance(std::span<const std::byte> bytes, std::size_t first, std::size_t second) {
+    std::array<double, 256> difference{};
+    const std::size_t groups = bytes.size() / 4;
+    const std::size_t skip = std::max<std::size_t>(1, groups / 20000) | 1U;  // odd: powers of two would beat with rows
+    double counted = 0.0;
+    for (std::size_t group = 0; group < groups; group += skip) {
+        difference[std::to_integer<std::size_t>(bytes[4 * group + first])] += 1.0;
+        difference[std::to_integer<std::size_t>(bytes[4 * group + second])] -= 1.0;
+        counted += 1.0;
+    }
     double sum = 0.0;
-    int axes = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (size[axis] > 1) {
-            sum += roughness.at_lag(lags[std::size_t(axis)]);
-            ++axes;
+    for (const double d : difference) {
+        sum += std::abs(d);
+    }
+    return counted > 0.0 ? 0.5 * sum / counted : 0.0;
+}
+
+/// How unlikely it is, by index, that a sample takes 1, 2 or 4 bytes, in the unit of the score.
+std::array<double, 5> rate_widths(std::span<const std::byte> bytes) {
+    constexpr int places = 768;
+    constexpr double floor = 1e-3;
+    constexpr double most = 3.0;
+    constexpr double alike = 0.15;  // some thousand bytes of one source come to 0.03 to 0.06
+    constexpr double weight = 4.0;
+    SampleRoughness single(bytes, {VoxelType::uint8, Endian::little, 0, std::int64_t(bytes.size())}, places);
+    // Bytes of equal weight resemble one another, so the roughness of single bytes is least at the width of a sample.
+    std::array<double, 5> rating{};
+    double least = 1e9;
+    for (const std::int64_t width : {1, 2, 4}) {
+        rating[std::size_t(width)] = std::log(single.at_lag(width) + floor);
+        least = std::min(least, rating[std::size_t(width)]);
+    }
+    for (double& rated : rating) {
+        rated = std::min(most, rated - least);
+    }
+    // Upper and lower bytes have other histograms; where they have not, they are samples of their own.
+    rating[2] += weight * std::max(0.0, alike - histogram_distance(bytes, 0, 1));
+    rating[4] += weight * std::max(0.0, alike - histogram_distance(bytes, 1, 3));
+    return rating;
+}
+
+/// The readings that were measured so far. Signed and unsigned ones without a top bit are the same numbers.
+class Readings {
+  public:
+    Readings(std::span<const std::byte> bytes, int places) : bytes_(bytes), places_(places) {}
+
+    SampleRoughness& of(VoxelType type, Endian endian, std::int64_t shift) {
+        if (type == VoxelType::int8 || type == VoxelType::int16) {
+            SampleRoughness& other = of(type == VoxelType::int8 ? VoxelType::uint8 : VoxelType::uint16, endian, shift);
+            if (!other.has_top_bits()) {
+                return other;
+            }
+        }
+        const std::int64_t count = (std::int64_t(bytes_.size()) - shift) / std::int64_t(scene::bytes_per_voxel(type));
+        return known_.try_emplace({type, endian, shift}, bytes_, Reading{type, endian, shift, count}, places_)
+            .first->second;
+    }
+
+  private:
+    std::span<const std::byte> bytes_;
+    int places_;
+    std::map<std::tuple<VoxelType, Endian, std::int64_t>, SampleRoughness> known_;
+};
+
+/// All layouts worth a second look.
+std::vector<Draft> draft_layouts(std::span<const std::byte> bytes, const scene::VolumeSource& hints, int places) {
+    constexpr double of_interest = 1.5;  // beyond the best score: a factor of more than four in roughness
+    const std::array<double, 5> width_rating = rate_widths(bytes);
+    // The likeliest first: the better the best is, the less of the others is looked at.
+    std::array types{VoxelType::uint8, VoxelType::uint16, VoxelType::float32, VoxelType::int8, VoxelType::int16};
+    std::stable_sort(types.begin(), types.end(), [&](VoxelType a, VoxelType b) {
+        return width_rating[scene::bytes_per_voxel(a)] < width_rating[scene::bytes_per_voxel(b)];
+    });
+    Readings readings(bytes, places);
+    double best = 1e9;
+    std::vector<Draft> drafts;
+    for (const VoxelType type : types) {
+        const auto width = std::int64_t(scene::bytes_per_voxel(type));
+        if (hints.type && *hints.type != type) {
+            continue;
+        }
+        for (const HeaderGuess& header : guess_headers(bytes, hints, width)) {
+            const std::int64_t count = (std::int64_t(bytes.size()) - header.offset) / width;
+            for (const Endian endian : {Endian::little, Endian::big}) {
+                if ((width == 1 && endian == Endian::big) || (hints.endian && width > 1 && *hints.endian != endian)) {
+                    continue;
+                }
+                SampleRoughness& roughness = readings.of(type, endian, header.offset % width);
+                if (!roughness.plausible()) {
+                    continue;
+                }
+                const double penalty = header.penalty + type_penalty(type, endian) + width_rating[std::size_t(width)];
+                const std::vector<SizeGuess> guesses =
+                    header.size ? std::vector{judge_size(roughness, *header.size)}
+                                : guess_sizes(roughness, count, best + of_interest - penalty, of_interest);
+                for (const SizeGuess& guess : guesses) {
+                    best = std::min(best, guess.score + penalty);
+                    drafts.push_back(
+                        {{guess.size, type, endian, header.offset, guess.score + penalty, {}}, header, penalty});
+                }
+            }
         }
     }
-    return axes > 0 ? sum / axes : 0.0;
-}
-
-void propose(const MappedFile& file, const Reading& reading, const std::vector<RatedSize>& sizes,
-             std::vector<RawProposal>& proposals) {
-    SampleRoughness roughness(file.bytes(), reading);
-    if (!roughness.plausible()) {
-        return;
-    }
-    for (const RatedSize& rated : sizes) {
-        const double mean = mean_roughness(roughness, rated.size);
-        // The floor keeps constant data from an infinite score: they are then ranked by usual size alone.
-        const double score = std::log(mean + 1e-3) + rated.penalty + offset_penalty(reading.offset) +
-                             type_penalty(reading.type, reading.endian);
-        proposals.push_back(
-            {rated.size, reading.type, reading.endian, reading.offset, score, reason_words(rated.size, mean)});
-    }
+    return drafts;
 }
 
 }  // namespace
 
 std::vector<RawProposal> propose_layouts(const std::filesystem::path& path, const scene::VolumeSource& hints,
                                          int most) {
+    constexpr int quick = 96;  // places at which all layouts are measured, and the likeliest once more
+    constexpr int thorough = 768;
+    constexpr std::size_t measured_again = 200;
     const MappedFile file(path);
-    const auto length = std::int64_t(file.bytes().size());
-    std::vector<RawProposal> proposals;
-    for (const VoxelType type :
-         {VoxelType::uint8, VoxelType::int8, VoxelType::uint16, VoxelType::int16, VoxelType::float32}) {
-        const auto width = std::int64_t(scene::bytes_per_voxel(type));
-        if (hints.type && *hints.type != type) {
-            continue;
-        }
-        for (const std::int64_t offset : usual_offsets(length, hints, width)) {
-            if (offset < 0 || offset >= length || (length - offset) % width != 0) {
-                continue;
-            }
-            const std::int64_t count = (length - offset) / width;
-            const auto sizes =
-                hints.size ? std::vector<RatedSize>{{*hints.size, 0.0}} : usual_sizes(count, offset == 0 ? 200 : 40);
-            if (hints.size && count != std::int64_t(hints.size->x) * hints.size->y * hints.size->z) {
-                continue;
-            }
-            for (const Endian endian : {Endian::little, Endian::big}) {
-                if ((width == 1 && endian == Endian::big) || (hints.endian && width > 1 && *hints.endian != endian)) {
-                    continue;
-                }
-                propose(file, {type, endian, offset, count}, sizes, proposals);
-            }
-        }
+    std::vector<Draft> drafts = draft_layouts(file.bytes(), hints, quick);
+    sort_out(drafts, measured_again);
+    Readings readings(file.bytes(), thorough);
+    for (Draft& draft : drafts) {
+        RawProposal& proposal = draft.proposal;
+        const auto width = std::int64_t(scene::bytes_per_voxel(proposal.type));
+        const SizeGuess guess =
+            judge_size(readings.of(proposal.type, proposal.endian, proposal.offset % width), proposal.size);
+        proposal.score = guess.score + draft.penalty;
+        proposal.reason = reason_words(guess, draft.header.penalty < 0.0);
     }
-    std::stable_sort(proposals.begin(), proposals.end(),
-                     [](const RawProposal& a, const RawProposal& b) { return a.score < b.score; });
-    proposals.resize(std::min(proposals.size(), std::size_t(std::max(0, most))));
+    sort_out(drafts, std::size_t(std::max(0, most)));
+    std::vector<RawProposal> proposals;
+    for (Draft& draft : drafts) {
+        proposals.push_back(std::move(draft.proposal));
+    }
     return proposals;
 }
 

@@ -19,10 +19,10 @@ struct RawProposal {
     std::string reason;       ///< one line for people
 };
 
-/// The `most` likeliest layouts, best first, that fit the file's length exactly and agree with `hints`. They are ranked
-/// by how usual the size is and by how smooth the data become: the mean |difference| of neighbours along x, y and z
-/// over the mean |difference| of samples far apart. Reads a few megabytes of a file of any length. Throws InputError
-/// when the file cannot be read; no proposal is an answer too.
+/// The `most` likeliest layouts, best first, that fit the file's length exactly and agree with `hints`: sizes from all
+/// divisors of the length behind each plausible header (raw_headers.h), ranked by how smooth they make the data along
+/// all three axes (layout_search.h), by the width of a sample that the bytes show, and by how usual they are. Reads a
+/// few megabytes of a file of any length. Throws InputError when the file cannot be read; no proposal is an answer too.
 std::vector<RawProposal> propose_layouts(const std::filesystem::path& path, const scene::VolumeSource& hints, int most);
 
 /// A proposal as options of the command line: "--dims 256x256x128 --type uint16 --endian big".

@@ -164,7 +164,11 @@ std::optional<Sidecar> read_sidecar(const std::filesystem::path& raw_path) {
     long_name += ".json";
     std::filesystem::path short_name = raw_path;
     short_name.replace_extension(".json");
-    for (const std::filesystem::path& path : {long_name, short_name}) {
+    std::filesystem::path long_capitals = raw_path;
+    long_capitals += ".JSON";
+    std::filesystem::path short_capitals = raw_path;
+    short_capitals.replace_extension(".JSON");
+    for (const std::filesystem::path& path : {long_name, short_name, long_capitals, short_capitals}) {
         std::error_code ignored;
         if (!std::filesystem::exists(path, ignored)) {
             continue;

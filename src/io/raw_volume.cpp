@@ -123,11 +123,14 @@ LoadedVolume load_raw_volume(const std::filesystem::path& path, const scene::Vol
     grid->type = layout.type;
     grid->spacing = layout.spacing_m;
     grid->voxels = allocate(std::uint64_t(layout.bytes_needed() - layout.offset), path);
-    read_samples(path, layout, grid->voxels, progress);
+    read_samples(layout.file, layout, grid->voxels, progress);
 
     loaded.replaced_nonfinite = scene::finish_grid(*grid);
-    if (auto remark = byte_order_remark(path, layout)) {
+    if (auto remark = byte_order_remark(layout.file, layout)) {
         loaded.remarks.push_back(std::move(*remark));
+    }
+    for (const std::string& field : layout.unused) {
+        loaded.remarks.push_back(fmt::format("{}: its {} is not used; rotate the node instead", path.string(), field));
     }
     if (loaded.replaced_nonfinite > 0) {
         loaded.remarks.push_back(

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cerrno>
 #include <cmath>
@@ -17,8 +18,7 @@
 namespace bruma::io {
 namespace {
 
-constexpr std::int64_t run_count = 512;
-constexpr std::int64_t run_length = 48;
+constexpr std::int64_t run_length = 32;
 
 /// Integer hash by Chris Wellons ("lowbias32", 2018), for places without a pattern that data could share.
 std::uint32_t hash(std::uint32_t x) {
@@ -29,7 +29,7 @@ std::uint32_t hash(std::uint32_t x) {
     return x ^ (x >> 16);
 }
 
-double mean_far_difference(const std::vector<double>& values) {
+double mean_far_difference(const std::vector<float>& values) {
     double sum = 0.0;
     for (std::size_t n = 0; n < values.size(); ++n) {
         // Places are in order, so some thousands further on is another part of the file.
@@ -39,30 +39,59 @@ double mean_far_difference(const std::vector<double>& values) {
 }
 
 /// The same bytes read as signed instead of unsigned numbers, or the other way round; floats stay.
-std::vector<double> with_other_sign(std::vector<double> values, scene::VoxelType type) {
+std::vector<float> with_other_sign(std::vector<float> values, scene::VoxelType type) {
     if (type == scene::VoxelType::float32) {
         return values;
     }
-    const double full = scene::bytes_per_voxel(type) == 1 ? 256.0 : 65536.0;
+    const float full = scene::bytes_per_voxel(type) == 1 ? 256.0F : 65536.0F;
     const bool is_signed = type == scene::VoxelType::int8 || type == scene::VoxelType::int16;
-    for (double& v : values) {
-        v += is_signed ? (v < 0.0 ? full : 0.0) : (v >= 0.5 * full ? -full : 0.0);
+    for (float& v : values) {
+        v += is_signed ? (v < 0.0F ? full : 0.0F) : (v >= 0.5F * full ? -full : 0.0F);
     }
     return values;
 }
 
-template <class Raw, class Number>
-Number decode(const std::byte* at, bool swap) {
-    Raw raw{};
-    std::memcpy(&raw, at, sizeof raw);
-    if (swap) {
-        if constexpr (sizeof(Raw) == 2) {
+/// Decodes a run of samples; the loops know type and byte order, as they are most of the work.
+template <class Raw, class Number, bool swap>
+void decode_run(const std::byte* at, std::span<float> into) {
+    for (float& value : into) {
+        Raw raw{};
+        std::memcpy(&raw, at, sizeof raw);
+        if constexpr (swap && sizeof(Raw) == 2) {
             raw = __builtin_bswap16(raw);
-        } else {
+        } else if constexpr (swap && sizeof(Raw) == 4) {
             raw = __builtin_bswap32(raw);
         }
+        value = float(std::bit_cast<Number>(raw));
+        at += sizeof raw;
     }
-    return std::bit_cast<Number>(raw);
+}
+
+template <class Raw, class Number>
+void decode_run(const std::byte* at, bool swap, std::span<float> into) {
+    swap ? decode_run<Raw, Number, true>(at, into) : decode_run<Raw, Number, false>(at, into);
+}
+
+void decode(std::span<const std::byte> bytes, const Reading& reading, std::int64_t first, std::span<float> into) {
+    const bool swap = (reading.endian == scene::Endian::little) != (std::endian::native == std::endian::little);
+    const std::byte* at = bytes.data() + reading.offset + first * std::int64_t(scene::bytes_per_voxel(reading.type));
+    switch (reading.type) {
+        case scene::VoxelType::int8:
+            return decode_run<std::uint8_t, std::int8_t>(at, false, into);
+        case scene::VoxelType::uint16:
+            return decode_run<std::uint16_t, std::uint16_t>(at, swap, into);
+        case scene::VoxelType::int16:
+            return decode_run<std::uint16_t, std::int16_t>(at, swap, into);
+        case scene::VoxelType::float32:
+            return decode_run<std::uint32_t, float>(at, swap, into);
+        default:
+            return decode_run<std::uint8_t, std::uint8_t>(at, false, into);
+    }
+}
+
+/// Widest range of magnitudes that physical fields in any common unit have.
+bool is_physical(float v) {
+    return v == 0.0F || (std::abs(v) > 1e-15F && std::abs(v) < 1e15F);
 }
 
 }  // namespace
@@ -86,48 +115,32 @@ MappedFile::~MappedFile() {
     ::munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
 }
 
-SampleRoughness::SampleRoughness(std::span<const std::byte> bytes, const Reading& reading)
+SampleRoughness::SampleRoughness(std::span<const std::byte> bytes, const Reading& reading, int places)
     : bytes_(bytes), reading_(reading) {
     if (reading.count < 2) {
         return;
     }
-    for (std::int64_t run = 0; run < run_count; ++run) {
+    const std::int64_t length = std::min(run_length, reading.count);
+    for (std::int64_t run = 0; run < places; ++run) {
         const double random = hash(std::uint32_t(run) + 1U) * 0x1p-32;
-        const auto start = std::int64_t((double(run) + random) / double(run_count) * double(reading.count));
-        for (std::int64_t i = start; i < std::min(start + run_length, reading.count); ++i) {
-            places_.push_back(i);
-        }
+        starts_.push_back(std::int64_t((double(run) + random) / double(places) * double(reading.count - length + 1)));
     }
+    values_.resize(starts_.size() * std::size_t(length));
     std::int64_t strange = 0;
-    for (const std::int64_t place : places_) {
-        const double v = value(place);
-        // Widest range of magnitudes that physical fields in any common unit have.
-        const bool fine = v == 0.0 || (std::abs(v) > 1e-15 && std::abs(v) < 1e15);
-        strange += fine ? 0 : 1;
-        values_.push_back(fine ? v : 0.0);
+    for (std::size_t run = 0; run < starts_.size(); ++run) {
+        decode(bytes_, reading_, starts_[run],
+               std::span(values_).subspan(run * std::size_t(length), std::size_t(length)));
+    }
+    for (float& v : values_) {
+        strange += is_physical(v) ? 0 : 1;
+        v = is_physical(v) ? v : 0.0F;
     }
     plausible_ = strange * 200 <= std::int64_t(values_.size());
+    const float half = reading.type == scene::VoxelType::uint8 ? 128.0F : 32768.0F;
+    has_top_bits_ = std::any_of(values_.begin(), values_.end(), [&](float v) { return v >= half || v < 0.0F; });
     // Numbers read with the wrong sign wrap round, which adds to the steps and to the spread alike: both readings are
     // measured against the smaller spread, so that the steps tell.
     spread_ = std::min(mean_far_difference(values_), mean_far_difference(with_other_sign(values_, reading.type)));
-}
-
-double SampleRoughness::value(std::int64_t index) const {
-    const bool little = reading_.endian == scene::Endian::little;
-    const bool swap = little != (std::endian::native == std::endian::little);
-    const std::byte* at = bytes_.data() + reading_.offset + index * std::int64_t(scene::bytes_per_voxel(reading_.type));
-    switch (reading_.type) {
-        case scene::VoxelType::int8:
-            return std::bit_cast<std::int8_t>(*at);
-        case scene::VoxelType::uint16:
-            return decode<std::uint16_t, std::uint16_t>(at, swap);
-        case scene::VoxelType::int16:
-            return decode<std::uint16_t, std::int16_t>(at, swap);
-        case scene::VoxelType::float32:
-            return decode<std::uint32_t, float>(at, swap);
-        default:
-            return std::to_integer<int>(*at);
-    }
 }
 
 double SampleRoughness::at_lag(std::int64_t lag) {
@@ -137,21 +150,35 @@ double SampleRoughness::at_lag(std::int64_t lag) {
     if (const auto known = known_.find(lag); known != known_.end()) {
         return known->second;
     }
+    const std::size_t length = values_.size() / starts_.size();
+    std::array<float, run_length> others{};
     double sum = 0.0;
     std::size_t used = 0;
-    for (std::size_t n = 0; n < places_.size(); ++n) {
-        // Towards the end the neighbour on the other side, so that all lags are compared at the same places.
-        const std::int64_t other = places_[n] + lag < reading_.count ? places_[n] + lag : places_[n] - lag;
-        if (other < 0) {
+    for (std::size_t run = 0; run < starts_.size(); ++run) {
+        // Towards the end the neighbours on the other side, so that all lags are compared at the same places.
+        std::int64_t first = starts_[run] + lag;
+        first = first + std::int64_t(length) <= reading_.count ? first : starts_[run] - lag;
+        if (first < 0) {
             continue;
         }
-        const double v = value(other);
-        sum += std::isfinite(v) && std::abs(v) < 1e15 ? std::abs(v - values_[n]) : spread_;
-        ++used;
+        decode(bytes_, reading_, first, std::span(others).first(length));
+        for (std::size_t n = 0; n < length; ++n) {
+            const float v = others[n];
+            sum += is_physical(v) ? std::abs(double(v) - values_[run * length + n]) : spread_;
+        }
+        used += length;
     }
     const double ratio = used == 0 ? 1.0 : sum / double(used) / spread_;
     known_.emplace(lag, ratio);
     return ratio;
+}
+
+double SampleRoughness::valley(std::int64_t lag, std::int64_t step) {
+    constexpr double floor = 1e-3;  // keeps constant data from a logarithm of zero
+    if (step < 1 || step >= lag || lag + step >= reading_.count - reading_.count / 4) {
+        return 0.0;
+    }
+    return std::log((at_lag(lag) + floor) / (std::min(at_lag(lag - step), at_lag(lag + step)) + floor));
 }
 
 }  // namespace bruma::io

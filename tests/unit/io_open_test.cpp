@@ -93,6 +93,58 @@ TEST(Open, RefusesUnknownEndingsAndNames) {
     EXPECT_TRUE(contains(fault("builtin:" + scene::builtin_volume_names().front() + "x"), "did you mean"));
 }
 
+TEST(Open, ReadsAnyEndingWithALayoutAndAnyCase) {
+    const TemporaryFolder folder;
+    const auto size_of = [](const std::string& file, const scene::VolumeSource& hints) {
+        const scene::Scene scene = open_files(std::vector{file}, hints, {});
+        return (*std::get<scene::Volume>(scene.nodes.begin()->second.content).grid)->size;
+    };
+    scene::VolumeSource hints;
+    hints.size = glm::ivec3(8);
+    hints.type = scene::VoxelType::uint8;
+    for (const char* name : {"vol.dat", "vol", "vol.bin", "vol.v1"}) {
+        EXPECT_EQ(size_of(folder.write(name, ramp_bytes()).string(), hints), glm::ivec3(8)) << name;
+    }
+    EXPECT_EQ(size_of(folder.write("ramp_8x8x8_u8.img", ramp_bytes()).string(), {}), glm::ivec3(8));
+    EXPECT_EQ(size_of(folder.write("RAMP_8x8x8_U8.RAW", ramp_bytes()).string(), {}), glm::ivec3(8));
+    folder.write("SIDE.JSON", R"({"size": [8, 8, 8], "type": "uint8"})");
+    EXPECT_EQ(size_of(folder.write("SIDE.RAW", ramp_bytes()).string(), {}), glm::ivec3(8));
+    const std::string riddle = folder.write("bell.dat", bell_bytes()).string();
+    const std::string sentence = refusal([&] { open_files(std::vector{riddle}, {}, {}); });
+    EXPECT_TRUE(contains(sentence, "likely are --dims 16x16x16 --type uint8")) << sentence;
+    EXPECT_TRUE(contains(describe_file(riddle, {}), "--dims 16x16x16 --type uint8"));
+    EXPECT_TRUE(contains(describe_file(folder.write("BELL.RAW", bell_bytes()).string(), {}), "unknown layout"));
+    EXPECT_TRUE(
+        contains(refusal([&] { open_files(std::vector{folder.write("a.dcm", bell_bytes()).string()}, {}, {}); }),
+                 "'.dcm' is not read, and its first bytes are of no format that is known"));
+    const scene::Scene mesh =
+        open_files(std::vector{folder.write("T.OBJ", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").string()}, {}, {});
+    EXPECT_EQ(mesh.nodes.size(), 1U);
+    EXPECT_TRUE(
+        open_files(std::vector{folder.write("S.JSON", R"({"bruma_scene": 1})").string()}, {}, {}).nodes.empty());
+    EXPECT_TRUE(contains(refusal([&] { open_files(std::vector{folder.path().string()}, {}, {}); }), "is a folder"));
+}
+
+TEST(Open, HintsTellWhatSeveralFilesLeaveOpen) {
+    const TemporaryFolder folder;
+    const std::string named = folder.write("ramp_8x8x8_uint8.raw", ramp_bytes()).string();
+    const std::string nameless = folder.write("bell.raw", bell_bytes()).string();
+    scene::VolumeSource hints;
+    hints.size = glm::ivec3(16);
+    hints.type = scene::VoxelType::uint8;
+    const scene::Scene both = open_files(std::vector{named, nameless}, hints, {});
+    EXPECT_EQ((*volume_of(both, "ramp").grid)->size, glm::ivec3(8));
+    EXPECT_EQ((*volume_of(both, "bell").grid)->size, glm::ivec3(16));
+    // An option that no file takes is a mistake; of a single file it is the last word.
+    hints.size = glm::ivec3(4, 8, 16);
+    const std::string other = folder.write("other_8x8x8_uint8.raw", ramp_bytes()).string();
+    EXPECT_TRUE(contains(refusal([&] {
+                             open_files(std::vector{named, other}, hints, {});
+                         }),
+                         "--dims holds for none of the 2 files"));
+    EXPECT_EQ((*volume_of(open_files(std::vector{named}, hints, {}), "ramp").grid)->size, glm::ivec3(4, 8, 16));
+}
+
 TEST(Open, AFailedAdditionLeavesTheSceneAlone) {
     const TemporaryFolder folder;
     const std::string file = folder.write("ramp_8x8x8_uint8.raw", ramp_bytes()).string();

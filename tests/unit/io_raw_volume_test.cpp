@@ -120,6 +120,8 @@ TEST(RawVolume, TellsBothLengthsWhenTheyDiffer) {
               file.string() + ": 60 bytes, but 4 x 4 x 4 x uint8 needs 64; are --dims or --type wrong?");
     const auto longer = folder.write("c_4x4x4_uint8.raw", std::string(65, 'x'));
     EXPECT_TRUE(contains(refusal([&] { load_raw_volume(longer, {}); }), "65 bytes, but 4 x 4 x 4 x uint8 needs 64"));
+    EXPECT_TRUE(
+        contains(refusal([&] { load_raw_volume(longer, {}); }), "If 1 bytes stand before the samples, say --offset 1"));
     VolumeSource hints;
     hints.offset = 2;
     EXPECT_TRUE(
@@ -257,6 +259,8 @@ TEST(RawName, ReadsSizesTypesByteOrderAndSpacing) {
     EXPECT_EQ(layout_from_name("a_2x3x4_i16_be.raw").endian, Endian::big);
     EXPECT_EQ(layout_from_name("a_2x3x4_i16_0.5x0.25x2mm.raw").spacing, glm::dvec3(5e-4, 2.5e-4, 2e-3));
     EXPECT_EQ(layout_from_name("le_chat.raw").endian, std::nullopt);
+    EXPECT_EQ(layout_from_name("a_2x2x2_short.raw").type, VoxelType::int16);
+    EXPECT_EQ(layout_from_name("short_2x2x2_uint8.raw").type, VoxelType::uint8);
     EXPECT_EQ(layout_from_name("a_1x2.raw").size, std::nullopt);
     EXPECT_EQ(layout_from_name("box1x2x3y.raw").size, std::nullopt);
     EXPECT_TRUE(contains(refusal([] { layout_from_name("a_2x2x2_3x3x3_u8.raw"); }), "two sizes"));
@@ -268,6 +272,7 @@ TEST(RawName, MakesNodeNamesFromFileNames) {
     EXPECT_EQ(make_grid_name("wdas_cloud_sixteenth_126x86x154_uint8.raw"), "wdas_cloud_sixteenth");
     EXPECT_EQ(make_grid_name("v1.2_2x2x2_u8.raw"), "v1_2");
     EXPECT_EQ(make_grid_name("2x2x2_u8.raw"), "volume");
+    EXPECT_EQ(make_grid_name("short_2x2x2_u8.raw"), "short");
 }
 
 }  // namespace

@@ -17,13 +17,6 @@ namespace {
 
 struct Cancelled {};
 
-bool is_raw(const std::string& file) {
-    std::string ending = std::filesystem::path(file).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return !io::is_builtin(file) && ending == ".raw";
-}
-
 }  // namespace
 
 void BackgroundLoader::start(std::string title, Job job, std::function<void()> wake) {
@@ -87,7 +80,10 @@ bool is_whole_scene(const std::string& file) {
         const std::vector<std::string> names = scene::builtin_scene_names();
         return std::find(names.begin(), names.end(), io::builtin_name(file)) != names.end();
     }
-    return std::filesystem::path(file).extension() == ".json";
+    std::string ending = std::filesystem::path(file).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending == ".json";
 }
 
 BackgroundLoader::Job add_files_job(scene::Scene scene, std::vector<std::string> files, scene::VolumeSource hints,
@@ -95,14 +91,15 @@ BackgroundLoader::Job add_files_job(scene::Scene scene, std::vector<std::string>
     return [scene = std::move(scene), files = std::move(files), hints = std::move(hints),
             settings = std::move(settings)](const io::Progress& progress) mutable {
         BackgroundLoader::Result result;
+        const std::vector<scene::VolumeSource> own_hints = io::hints_for_each(files, hints);
         for (std::size_t n = 0; n < files.size(); ++n) {
             const auto part = [&](double share, std::string_view what) {
                 progress((double(n) + share) / double(files.size()), what);
             };
             part(0.0, files[n]);
-            if (is_raw(files[n]) && std::filesystem::exists(files[n]) && !io::is_mesh(files[n]) &&
-                !io::known_layout_parts(files[n], hints).complete()) {
-                const scene::VolumeSource known = io::known_layout_parts(files[n], hints).as_hints();
+            if (std::filesystem::exists(files[n]) && io::is_raw_volume(files[n], own_hints[n]) &&
+                !io::known_layout_parts(files[n], own_hints[n]).complete()) {
+                const scene::VolumeSource known = io::known_layout_parts(files[n], own_hints[n]).as_hints();
                 result.unknown.push_back({files[n], io::propose_layouts(files[n], known, 12)});
                 continue;
             }
@@ -110,7 +107,7 @@ BackgroundLoader::Job add_files_job(scene::Scene scene, std::vector<std::string>
                 scene = {};
                 result.replaces = true;
             }
-            io::add_file(scene, files[n], hints, part, preset_folders(), settings);
+            io::add_file(scene, files[n], own_hints[n], part, preset_folders(), settings);
         }
         result.scene = std::move(scene);
         return result;
