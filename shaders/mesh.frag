@@ -111,6 +111,9 @@ in vec3 position_shadow;
 in vec3 point_camera;
 in vec3 normal_world;
 in vec2 coordinate;
+#ifdef VERTEX_COLORS
+in vec3 color;                     // linear
+#endif
 layout(location = 0) out vec4 radiance;       // linear; alpha = coverage
 layout(location = 1) out vec2 distance_and_share;  // along the pixel's ray
 
@@ -121,6 +124,10 @@ uniform vec3 specular;
 uniform float shininess;
 uniform int highlight;     // 0 none, 1 Phong, 2 Blinn-Phong
 uniform int textured;
+uniform vec2 picture_range;   // what is added to the texture's values that were multiplied by the second
+uniform int picture_once;     // whether it lies there once, and changes nothing around it
+uniform vec3 emission;        // radiance
+uniform int constant_color;   // whether the colour shows in any light
 uniform sampler2D diffuse_texture;
 
 // Drivers interpolate between corners that they moved onto a grid of part pixels, so the interpolated point lies on the
@@ -150,7 +157,27 @@ ViewRay surface_ray(bool whole, vec3 point)
 
 vec3 diffuse_picture()
 {
-    return textureGrad(diffuse_texture, WITHIN(coordinate), dFdx(coordinate), dFdy(coordinate)).xyz;
+    vec2 at = WITHIN(coordinate);
+    vec2 right = dFdx(coordinate), up = dFdy(coordinate);
+    if (picture_once != 0) {
+        vec2 half_texel = 0.5 / vec2(textureSize(diffuse_texture, 0));
+        if (any(greaterThan(abs(at - 0.5), vec2(0.5)))) {
+            return vec3(1.0);
+        }
+        at = clamp(at, half_texel, 1.0 - half_texel);  // nothing of the other edge
+    }
+    vec3 texel = textureGrad(diffuse_texture, at, right, up).xyz;
+    return max(picture_range.x + picture_range.y * texel, 0.0);
+}
+
+// What the diffuse colour is multiplied by.
+vec3 diffuse_factor()
+{
+    vec3 factor = textured != 0 ? diffuse_picture() : vec3(1.0);
+#ifdef VERTEX_COLORS
+    factor *= max(WITHIN(color), 0.0);
+#endif
+    return factor;
 }
 
 // Share of a lamp's light that no surface keeps away.
@@ -264,7 +291,7 @@ void main()
     }
 #ifdef TRANSLUCENT
     float passing = fresnel_transmittance(facing_of_seen(facing_eye, direction), medium.eta);
-    vec3 picture = textured != 0 ? diffuse_picture() : vec3(1.0);
+    vec3 picture = diffuse_factor();
     vec3 from_lamps = light_from_within(passing);
 #if defined(CLOUD_SHADOWS) && DIRECTIONAL_LIGHTS == 1 && POINT_LIGHTS == 0
     // Maps hold what all lamps send in. Of one alone, the shadow where light leaves is that where it entered: clouds are
@@ -280,8 +307,9 @@ void main()
     }
     radiance = is_open ? vec4(0.0) : vec4(picture * within + (highlight != 0 ? shine : vec3(0.0)), 1.0);
 #else
-    vec3 albedo = diffuse * (textured != 0 ? diffuse_picture() : vec3(1.0));
-    radiance = vec4(albedo * reflected + (highlight != 0 ? specular * mirrored : vec3(0.0)), 1.0);
+    vec3 albedo = diffuse * diffuse_factor();
+    vec3 shown = (constant_color != 0 ? albedo : albedo * reflected) + emission;
+    radiance = vec4(shown + (highlight != 0 ? specular * mirrored : vec3(0.0)), 1.0);
 #endif
 }
 #endif

@@ -29,7 +29,8 @@ double largest_radiance(const scene::Scene& scene) {
         const auto& mesh = std::get<scene::Mesh>(scene.nodes.at(name).content);
         for (std::size_t n = 0; n < (*mesh.triangles)->materials.size(); ++n) {
             const scene::MeshMaterial shown = scene::shown_material(**mesh.triangles, *mesh.surface, n);
-            most = std::max(most, largest(shown.diffuse) * (light + largest(scene.environment->radiance)) +
+            const double around = light + largest(scene.environment->radiance);
+            most = std::max(most, largest(shown.diffuse) * (shown.constant ? 1.0 : around) + largest(shown.emission) +
                                       largest(shown.specular) * light);
         }
     }

@@ -74,6 +74,7 @@ std::shared_ptr<const scene::TriangleMesh> with_texture(const scene::TriangleMes
     const auto texture = load_texture(file);
     for (scene::MeshMaterial& material : textured->materials) {
         material.diffuse_texture = texture;
+        material.placement = {};
     }
     return textured;
 }

@@ -10,15 +10,24 @@ std::string materials_text(const scene::TriangleMesh& mesh) {
     for (const std::uint32_t material : mesh.triangle_materials) {
         ++counts[material];
     }
-    std::string text;
+    std::string text = mesh.colors.empty() ? "" : "colors   at its vertices, which multiply those of its materials\n";
     for (std::size_t n = 0; n < counts.size(); ++n) {
         const scene::MeshMaterial& material = mesh.materials[n];
         if (material.name.empty() && material.diffuse_texture == nullptr && counts.size() == 1) {
-            return {};
+            return text;
         }
         text += fmt::format("material {}: {} triangles, diffuse ({:.3g}, {:.3g}, {:.3g})",
                             material.name.empty() ? "without name" : "'" + material.name + "'", counts[n],
                             material.diffuse.r, material.diffuse.g, material.diffuse.b);
+        if (material.specular != glm::dvec3(0.0)) {
+            text += fmt::format(", highlight ({:.3g}, {:.3g}, {:.3g}) to the power of {:.4g}", material.specular.r,
+                                material.specular.g, material.specular.b, material.shininess);
+        }
+        if (material.emission != glm::dvec3(0.0)) {
+            text += fmt::format(", emission ({:.3g}, {:.3g}, {:.3g})", material.emission.r, material.emission.g,
+                                material.emission.b);
+        }
+        text += material.constant ? ", the same in any light" : "";
         if (material.diffuse_texture) {
             const scene::MeshTexture& texture = *material.diffuse_texture;
             text += fmt::format(", texture {} ({} x {}, {} bits)", texture.file, texture.width, texture.height,

@@ -1,25 +1,22 @@
 #include "io/obj_materials.h"
 
 #include <fmt/core.h>
-#include <tiny_obj_loader.h>
 
 #include <algorithm>
-#include <cmath>
-#include <sstream>
+#include <span>
+#include <utility>
 
 #include "base/error.h"
 #include "io/input_file.h"
 #include "io/mesh_texture.h"
+#include "io/mtl_material.h"
+#include "io/mtl_text.h"
+#include "io/named_file.h"
 
 namespace bruma::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string trimmed(const std::string& text) {
-    const std::size_t from = text.find_first_not_of(" \t\r");
-    return from == std::string::npos ? "" : text.substr(from, text.find_last_not_of(" \t\r") - from + 1);
-}
 
 /// The names in a line, parted at blanks that have no backslash before them.
 std::vector<std::string> split_names(const std::string& line) {
@@ -39,84 +36,145 @@ std::vector<std::string> split_names(const std::string& line) {
     return names;
 }
 
-/// A path as written on any system, seen from a folder.
-fs::path beside(const fs::path& folder, std::string name) {
-    std::replace(name.begin(), name.end(), '\\', '/');
-    const fs::path path(name);
-    return path.is_absolute() ? path : folder / path;
+std::string listed(const std::vector<std::string>& things, std::string_view quote) {
+    constexpr std::size_t most = 3;
+    std::string list;
+    for (std::size_t n = 0; n < std::min(most, things.size()); ++n) {
+        list += fmt::format("{}{}{}{}", n == 0 ? "" : ", ", quote, things[n], quote);
+    }
+    return things.size() > most ? fmt::format("{} and {} more", list, things.size() - most) : list;
 }
 
-bool is_file(const fs::path& path) {
-    std::error_code ignored;
-    return fs::is_regular_file(path, ignored);
+void add_new(const std::string& thing, std::vector<std::string>& things) {
+    if (std::find(things.begin(), things.end(), thing) == things.end()) {
+        things.push_back(thing);
+    }
 }
 
-double within(double value, double low, double high) {
-    return std::isfinite(value) ? std::clamp(value, low, high) : low;
-}
-glm::dvec3 reflectance(const tinyobj::real_t* color) {
-    return {within(color[0], 0.0, 1.0), within(color[1], 0.0, 1.0), within(color[2], 0.0, 1.0)};
+std::string plural(std::size_t count) {
+    return count == 1 ? "" : "s";
 }
 
 /// Textures by path, each read once; null for one that cannot be read.
 using Textures = std::map<fs::path, std::shared_ptr<const scene::MeshTexture>>;
 
+bool has_transparent_texels(const scene::MeshTexture& texture) {
+    const std::size_t bytes = std::size_t(texture.bits / 8);
+    for (std::size_t at = 3 * bytes; at + bytes <= texture.texels.size(); at += 4 * bytes) {
+        if (std::any_of(texture.texels.begin() + std::ptrdiff_t(at),
+                        texture.texels.begin() + std::ptrdiff_t(at + bytes),
+                        [](std::byte byte) { return byte != std::byte(255); })) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Reads one library; `elsewhere` are the folders besides its own in which textures may lie.
 class LibraryReader {
   public:
-    LibraryReader(ObjMaterials& into, Textures& textures) : into_(into), textures_(textures) {}
+    LibraryReader(ObjMaterials& into, Textures& textures, const fs::path& file, std::span<const fs::path> elsewhere)
+        : into_(into), textures_(textures), file_(file), folders_(folders_beside(file)) {
+        folders_.insert(folders_.end(), elsewhere.begin(), elsewhere.end());
+    }
 
-    void read(const fs::path& file) {
-        std::istringstream stream;
+    void read() {
+        std::string text;
         try {
             constexpr std::int64_t most_bytes = 64 << 20;
-            stream.str(read_text_file(file, most_bytes));
+            text = read_text_file(file_, most_bytes);
         } catch (const InputError& error) {
             into_.remarks.emplace_back(error.what());
             return;
         }
-        std::map<std::string, int> unused;
-        std::vector<tinyobj::material_t> found;
-        std::string warning;
-        std::string fault;
-        tinyobj::LoadMtl(&unused, &found, &stream, &warning, &fault);
-        std::size_t usable = 0;
-        for (const tinyobj::material_t& material : found) {
-            usable += add(file, material) ? 1 : 0;
+        const MtlText library = split_mtl_text(text);
+        if (library.materials.empty()) {
+            say("describes no material; is it a Wavefront material library?");
         }
-        if (usable == 0) {
-            into_.remarks.push_back(
-                fmt::format("{}: describes no material; is it a Wavefront material library?", file.string()));
+        for (const MtlEntry& entry : library.materials) {
+            add(entry);
         }
+        for (const std::string& remark : remarks_of(findings_)) {
+            say(remark);
+        }
+        say_what_is_amiss(library);
     }
 
   private:
-    bool add(const fs::path& file, const tinyobj::material_t& from) {
-        const std::string name = trimmed(from.name);
-        if (name.empty() || into_.index_of.contains(name)) {
-            return !name.empty();
+    void say(const std::string& sentence) { into_.remarks.push_back(fmt::format("{}: {}", file_.string(), sentence)); }
+
+    void say_what_is_amiss(const MtlText& library) {
+        if (library.without_name > 0 && !library.materials.empty()) {
+            say(fmt::format("{} material{} without a name left out", library.without_name,
+                            plural(library.without_name)));
         }
-        scene::MeshMaterial material;
-        material.name = name;
-        material.diffuse = reflectance(from.diffuse);
-        material.specular = reflectance(from.specular);
-        material.shininess = within(double(from.shininess), 1.0, 1000.0);
-        if (const std::string texture = trimmed(from.diffuse_texname); !texture.empty()) {
-            material.diffuse_texture = texture_of(beside(file.parent_path(), texture), file, name);
+        if (!repeated_.empty()) {
+            say(fmt::format("describes material{} {} more than once; the first one counts", plural(repeated_.size()),
+                            listed(repeated_, "'")));
         }
-        into_.index_of.emplace(name, std::uint32_t(into_.materials.size()));
-        into_.materials.push_back(std::move(material));
-        return true;
+        if (!missing_.empty()) {
+            say(fmt::format("material{} {} {} without {}: {}: no such file", plural(materials_without_.size()),
+                            listed(materials_without_, "'"), materials_without_.size() == 1 ? "goes" : "go",
+                            materials_without_.size() == 1 ? "its texture" : "their textures", listed(missing_, "")));
+        }
+        if (!found_otherwise_.empty()) {
+            say(fmt::format("{} texture{} not where or not spelt as told, and taken from {}", found_otherwise_.size(),
+                            found_otherwise_.size() == 1 ? " is" : "s are", listed(found_otherwise_, "")));
+        }
+        if (!transparent_.empty()) {
+            say(fmt::format("{} texture{} with transparent texels, which are drawn opaque: {}", transparent_.size(),
+                            plural(transparent_.size()), listed(transparent_, "")));
+        }
     }
 
-    std::shared_ptr<const scene::MeshTexture> texture_of(const fs::path& path, const fs::path& library,
+    void add(const MtlEntry& entry) {
+        if (into_.index_of.contains(entry.name)) {
+            add_new(entry.name, repeated_);
+            return;
+        }
+        MtlMaterial read = read_mtl_material(entry, findings_);
+        if (read.diffuse_map && !read.diffuse_map->names.empty()) {
+            read.material.diffuse_texture = texture_of(read.diffuse_map->names, entry.name);
+        }
+        const auto index = std::uint32_t(into_.materials.size());
+        into_.index_of.emplace(entry.name, index);
+        into_.index_of.emplace(without_comment(entry.name), index);
+        into_.materials.push_back(std::move(read.material));
+    }
+
+    NamedFile find(const std::vector<std::string>& names) const {
+        for (const auto& look : {find_as_named, find_named_file}) {
+            for (const std::string& name : names) {
+                if (NamedFile found = look(name, folders_)) {
+                    return found;
+                }
+            }
+        }
+        return {};
+    }
+
+    std::shared_ptr<const scene::MeshTexture> texture_of(const std::vector<std::string>& names,
                                                          const std::string& material) {
-        const auto [found, is_new] = textures_.try_emplace(path);
+        const NamedFile file = find(names);
+        if (!file) {
+            add_new(material, materials_without_);
+            add_new((folders_.front() / path_of_name(names.back())).string(), missing_);
+            return nullptr;
+        }
+        if (!file.is_as_told) {
+            add_new(file.path.string(), found_otherwise_);
+        }
+        std::error_code ignored;
+        const fs::path real = fs::weakly_canonical(file.path, ignored);
+        const auto [found, is_new] = textures_.try_emplace(real.empty() ? file.path : real);
         if (is_new) {
             try {
-                found->second = load_texture(path);
+                found->second = load_texture(file.path);
+                if (has_transparent_texels(*found->second)) {
+                    transparent_.push_back(file.path.string());
+                }
             } catch (const InputError& error) {
-                into_.remarks.push_back(fmt::format("{}: material '{}' goes without its texture: {}", library.string(),
-                                                    material, error.what()));
+                say(fmt::format("material '{}' goes without its texture: {}", material, error.what()));
             }
         }
         return found->second;
@@ -124,38 +182,81 @@ class LibraryReader {
 
     ObjMaterials& into_;
     Textures& textures_;
+    fs::path file_;
+    std::vector<fs::path> folders_;
+    MtlFindings findings_;
+    std::vector<std::string> repeated_, materials_without_, missing_, found_otherwise_, transparent_;
 };
 
+/// The libraries that one line names, and the names of which there is no file.
+struct NamedLibraries {
+    std::vector<NamedFile> found;
+    std::vector<std::string> missing;
+};
+
+NamedLibraries libraries_of_line(const std::string& line, std::span<const fs::path> folders) {
+    // Many programs write names with blanks as they are, and some a comment behind them.
+    const std::string name(without_comment(line));
+    for (const std::string& whole : {line, name}) {
+        if (NamedFile file = find_as_named(whole, folders)) {
+            return {{file}, {}};
+        }
+    }
+    NamedLibraries libraries;
+    for (const std::string& part : split_names(name)) {
+        NamedFile file = find_as_named(part, folders);
+        file ? libraries.found.push_back(file) : libraries.missing.push_back(part);
+    }
+    if (libraries.found.empty()) {
+        if (NamedFile file = find_named_file(name, folders)) {
+            return {{file}, {}};
+        }
+    }
+    for (std::string& part : std::exchange(libraries.missing, {})) {
+        NamedFile file = find_named_file(part, folders);
+        file ? libraries.found.push_back(file) : libraries.missing.push_back(std::move(part));
+    }
+    if (libraries.found.empty() && !name.empty()) {
+        libraries.missing = {name};
+    }
+    return libraries;
+}
+
 }  // namespace
+
+const std::uint32_t* ObjMaterials::find(const std::string& name) const {
+    for (const std::string& known : {name, std::string(without_comment(name))}) {
+        if (const auto found = index_of.find(known); found != index_of.end()) {
+            return &found->second;
+        }
+    }
+    return nullptr;
+}
 
 ObjMaterials read_obj_materials(const fs::path& obj_file, const std::vector<std::string>& libraries) {
     ObjMaterials result;
     Textures textures;
-    LibraryReader reader(result, textures);
+    const std::vector<fs::path> folders = folders_beside(obj_file);
     std::vector<fs::path> seen;
     for (const std::string& line : libraries) {
-        // Many programs write names with blanks as they are.
-        const fs::path whole = beside(obj_file.parent_path(), line);
-        std::vector<fs::path> files;
-        if (is_file(whole)) {
-            files.push_back(whole);
-        } else {
-            for (const std::string& name : split_names(line)) {
-                files.push_back(beside(obj_file.parent_path(), name));
-            }
-        }
-        for (const fs::path& file : files) {
-            if (std::find(seen.begin(), seen.end(), file) != seen.end()) {
+        const NamedLibraries named = libraries_of_line(line, folders);
+        for (const NamedFile& file : named.found) {
+            std::error_code ignored;
+            const fs::path real = fs::weakly_canonical(file.path, ignored);
+            if (std::find(seen.begin(), seen.end(), real) != seen.end()) {
                 continue;
             }
-            seen.push_back(file);
-            if (is_file(file)) {
-                reader.read(file);
-            } else {
-                result.remarks.push_back(fmt::format(
-                    "{}: its material library {} does not exist; parts without a material get the default one",
-                    obj_file.string(), file.string()));
+            seen.push_back(real);
+            if (!file.is_as_told) {
+                result.remarks.push_back(fmt::format("{}: its material library is told as '{}' and taken from {}",
+                                                     obj_file.string(), line, file.path.string()));
             }
+            LibraryReader(result, textures, file.path, folders).read();
+        }
+        for (const std::string& name : named.missing) {
+            result.remarks.push_back(
+                fmt::format("{}: its material library {} does not exist; parts without a material get the default one",
+                            obj_file.string(), (folders.front() / path_of_name(name)).string()));
         }
     }
     return result;

@@ -111,9 +111,9 @@ void take_material(void* user, const char* text, int) {
     std::string name(text);
     name.erase(0, name.find_first_not_of(" \t"));
     name.erase(name.find_last_not_of(" \t\r") + 1);
-    const auto found = to.materials.index_of.find(name);
-    to.material = found != to.materials.index_of.end() ? found->second : to.default_material();
-    if (found == to.materials.index_of.end()) {
+    const std::uint32_t* const found = to.materials.find(name);
+    to.material = found != nullptr ? *found : to.default_material();
+    if (found == nullptr) {
         to.unknown_materials.insert(name);
     }
 }
@@ -134,6 +134,11 @@ void add_faces(Receiver& from, const std::string& where) {
             throw InputError(fmt::format("{}: line {}: {}", where, line(), error.what()));
         }
     }
+}
+
+bool names_a_texture(const scene::TriangleMesh& mesh) {
+    return std::any_of(mesh.triangle_materials.begin(), mesh.triangle_materials.end(),
+                       [&](std::uint32_t material) { return mesh.materials[material].diffuse_texture != nullptr; });
 }
 
 std::string unknown_materials_remark(const std::set<std::string>& names, const std::string& where) {
@@ -171,6 +176,7 @@ scene::LoadedMesh load_obj_mesh(const std::filesystem::path& path, const scene::
     tinyobj::LoadObjWithCallback(stream, callback, &to);
 
     add_faces(to, path.string());
+    to.parts.colors = obj.colors.linear(to.parts.positions.size());
     to.parts.materials = std::move(materials.materials);
     const std::size_t named = to.parts.materials.size();
     const auto& used = to.parts.triangle_materials;
@@ -182,7 +188,15 @@ scene::LoadedMesh load_obj_mesh(const std::filesystem::path& path, const scene::
         loaded.remarks.push_back(
             fmt::format("{}: the first face that was left out stands in {}", path.string(), to.parts.first_left_out));
     }
+    if (const std::string others = obj.others.remark(!to.parts.normals.empty()); !others.empty()) {
+        loaded.remarks.push_back(fmt::format("{}: tells more than is drawn: {}", path.string(), others));
+    }
     loaded.remarks.insert(loaded.remarks.end(), materials.remarks.begin(), materials.remarks.end());
+    if (loaded.mesh->texture_coordinates.empty() && names_a_texture(*loaded.mesh)) {
+        loaded.remarks.push_back(
+            fmt::format("{}: has no texture coordinates (vt), so the textures of its materials cannot be laid over it",
+                        path.string()));
+    }
     if (!to.unknown_materials.empty()) {
         loaded.remarks.push_back(unknown_materials_remark(to.unknown_materials, path.string()));
     }

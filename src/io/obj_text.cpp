@@ -120,6 +120,7 @@ ObjText read_obj_text(const std::filesystem::path& path) {
         const std::string_view line = take_line(left);
         std::string_view rest;
         if (begins_with(line, "v", rest)) {
+            obj.colors.add(vertices, rest);
             note(has_numbers(rest, 3), vertices, obj.broken_vertices);
         } else if (begins_with(line, "vn", rest)) {
             note(has_numbers(rest, 3), normals, obj.broken_normals);
@@ -133,6 +134,8 @@ ObjText read_obj_text(const std::filesystem::path& path) {
             // The parser would take the words of a comment for corners.
             std::fill(std::find(from, to, '#'), to, ' ');
             clear_huge_indices(from, to);
+        } else if (!begins_with(line, "usemtl", rest)) {
+            obj.others.add(line);
         }
     }
     return obj;

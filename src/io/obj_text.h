@@ -5,6 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "io/obj_colors.h"
+#include "io/obj_statements.h"
+
 namespace bruma::io {
 
 /// The text of an OBJ file, and what the parser behind it would pass over in silence.
@@ -15,6 +18,8 @@ struct ObjText {
     std::vector<std::size_t> broken_normals;      ///< the same of `vn`
     std::vector<std::size_t> broken_coordinates;  ///< the same of `vt`, one or more numbers
     std::vector<std::string> material_libraries;  ///< what stands behind each `mtllib`, as written
+    ObjColors colors;                             ///< of `v` lines
+    ObjStatements others;                         ///< what is passed over
     double unit_mm = 0.0;                         ///< from a comment at the head of the file; 0: it tells none
 };
 

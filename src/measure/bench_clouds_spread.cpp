@@ -4,6 +4,14 @@
 #include "measure/bench_clouds.h"
 
 namespace bruma::measure {
+namespace {
+
+/// At most 1; NaN stays, so that no error that it tells lets it pass.
+double displayed(float value) {
+    return value > 1.0F ? 1.0 : double(value);
+}
+
+}  // namespace
 
 std::vector<std::size_t> spread_pixels(glm::ivec2 pixels, int count) {
     // Multiples of 1 / p and 1 / p^2, p the real root of p^3 = p + 1.
@@ -30,8 +38,8 @@ SpreadError error_at(const std::vector<std::size_t>& places, const Image& found,
     for (const std::size_t place : places) {
         double square = 0.0;
         for (std::size_t k = 0; k < 3; ++k) {
-            const double exact = std::min(1.0, double(truth.rgba[4 * place + k]));
-            const double apart = std::min(1.0, double(found.rgba[4 * place + k])) - exact;
+            const double exact = displayed(truth.rgba[4 * place + k]);
+            const double apart = displayed(found.rgba[4 * place + k]) - exact;
             square += apart * apart / 3.0;
             sum += apart / 3.0;
             level += exact * exact / 3.0;

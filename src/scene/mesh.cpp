@@ -16,6 +16,8 @@ MeshMaterial shown_material(const TriangleMesh& mesh, const MeshSurface& surface
         shown.diffuse = surface.diffuse_color;
         shown.specular = glm::dvec3(surface.specular);
         shown.shininess = surface.shininess;
+        shown.emission = glm::dvec3(0.0);
+        shown.constant = false;
     }
     if (!surface.textured) {
         shown.diffuse_texture = nullptr;

@@ -19,6 +19,14 @@ struct MeshTexture {
     glm::dvec3 linear_color(int x, int y) const;
 };
 
+/// How a picture lies on a surface.
+struct TexturePlacement {
+    glm::dvec2 scale{1.0}, offset{0.0};  ///< texture coordinates are multiplied by `scale`, then `offset` is added
+    bool once = false;                   ///< lies there once, from (0, 0) to (1, 1), and changes nothing around it
+    double base = 0.0, gain = 1.0;       ///< its linear values are multiplied by `gain`, then `base` is added
+    bool operator==(const TexturePlacement&) const = default;
+};
+
 /// What a mesh file says of a part's surface. Colours are taken as linear Rec.709.
 struct MeshMaterial {
     std::string name;  ///< empty: the file names none
@@ -26,6 +34,9 @@ struct MeshMaterial {
     glm::dvec3 specular{0.0};
     double shininess = 30.0;
     std::shared_ptr<const MeshTexture> diffuse_texture = {};  ///< multiplies `diffuse`; null: none
+    TexturePlacement placement = {};                          ///< of `diffuse_texture`
+    glm::dvec3 emission{0.0};                                 ///< radiance that it sends of its own
+    bool constant = false;                                    ///< shows its diffuse colour in any light
 };
 
 /// A surface of triangles in model space: metres, the origin of the file kept. All numbers are finite, all indices
@@ -35,7 +46,8 @@ struct TriangleMesh {
     std::vector<glm::vec3> positions;            ///< metres
     std::vector<glm::vec3> normals;              ///< unit length, one per position
     std::vector<glm::vec2> texture_coordinates;  ///< one per position or none at all; (0, 0) is the lower left corner
-    std::vector<glm::uvec3> triangles;           ///< counter-clockwise seen from outside
+    std::vector<glm::vec3> colors;      ///< linear factors of the diffuse colour, one per position or none at all
+    std::vector<glm::uvec3> triangles;  ///< counter-clockwise seen from outside
     std::vector<std::uint32_t> triangle_materials;  ///< one per triangle, into `materials`
     std::vector<MeshMaterial> materials;            ///< at least one
     double millimetres_per_unit = 1.0;              ///< how long a unit of the file was taken to be

@@ -165,22 +165,29 @@ class VertexList {
             coordinates.emplace_back(usable(coordinate), 0.0);
         }
         first_coordinate_ = first_equal(coordinates);
+        first_color_ = first_equal(std::vector<glm::dvec3>(parts.colors.begin(), parts.colors.end()));
     }
 
     std::uint32_t index_of(std::uint32_t position, FaceCorner corner) {
         if (corner.texture_coordinate >= 0) {
             corner.texture_coordinate = std::int32_t(first_coordinate_[std::size_t(corner.texture_coordinate)]);
         }
+        // Vertices at one place may differ in their colours.
+        const std::uint32_t color = first_color_.empty() ? 0 : first_color_[std::size_t(corner.position)];
         for (std::uint32_t n = newest_[position]; n != none; n = known_[n].older) {
-            if (known_[n].texture_coordinate == corner.texture_coordinate && known_[n].normal == corner.normal) {
+            if (known_[n].texture_coordinate == corner.texture_coordinate && known_[n].normal == corner.normal &&
+                known_[n].color == color) {
                 return n;
             }
         }
         const auto index = std::uint32_t(known_.size());
-        known_.push_back({corner.texture_coordinate, corner.normal, newest_[position]});
+        known_.push_back({corner.texture_coordinate, corner.normal, color, newest_[position]});
         newest_[position] = index;
         mesh_.positions.emplace_back(kept_.positions[position]);
         mesh_.normals.emplace_back(normals_[std::size_t(corner.normal)]);
+        if (!parts_.colors.empty()) {
+            mesh_.colors.push_back(parts_.colors[color]);
+        }
         if (!parts_.texture_coordinates.empty()) {
             mesh_.texture_coordinates.emplace_back(
                 corner.texture_coordinate >= 0
@@ -194,13 +201,13 @@ class VertexList {
     static constexpr std::uint32_t none = ~std::uint32_t(0);
     struct Known {
         std::int32_t texture_coordinate, normal;
-        std::uint32_t older;
+        std::uint32_t color, older;
     };
     TriangleMesh& mesh_;
     const CleanTriangles& kept_;
     const MeshParts& parts_;
     const std::vector<glm::dvec3>& normals_;
-    std::vector<std::uint32_t> newest_, first_coordinate_;
+    std::vector<std::uint32_t> newest_, first_coordinate_, first_color_;
     std::vector<Known> known_;
 };
 

@@ -24,6 +24,7 @@ struct MeshParts {
     std::string name;                             ///< of the mesh, for people
     std::string where;                            ///< path or builtin:NAME; opens every message
     std::vector<glm::dvec3> positions;            ///< not finite where the file's numbers are none
+    std::vector<glm::vec3> colors;                ///< linear, one per position or none at all
     std::vector<glm::dvec2> texture_coordinates;  ///< from the lower left corner of the picture
     std::vector<glm::dvec3> normals;              ///< of any length
     std::vector<std::array<FaceCorner, 3>> triangles;

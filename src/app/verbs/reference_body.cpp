@@ -59,6 +59,7 @@ void say_what_is_left_out(const scene::Scene& scene, const scene::Mesh& mesh) {
         return material.diffuse_texture != nullptr;
     });
     left_out(mesh.surface->textured && has_textures, "mesh.textured=false");
+    left_out(mesh.surface->file_materials && !(*mesh.triangles)->colors.empty(), "mesh.file_materials=false");
     left_out(scene.environment->radiance != glm::dvec3(0.0), "environment.radiance=0,0,0");
     if (!settings.empty()) {
         log_warning(

@@ -83,6 +83,7 @@ Variants mesh_variants() {
     const Variants maps{{{"EXIT_MAPS", "8"}}, {{"EXIT_MAPS", "16"}}};
     const Variants inside = Variants{{{"TRANSLUCENT", ""}}} * (maps + points);
     return Variants{{{"DEPTH_ONLY", ""}}, {{"THICKNESS", ""}}} +
+           Variants{{{"VERTEX_COLORS", ""}}} * samples * (Variants{{}} + inside) +
            lamps * around * (Variants{{}} + inside) * (Variants{{}} + shadows_of_clouds) +
            sun * shadows_of_clouds * inside + samples * Variants{{{"MAP_READS", ""}, {"TRANSLUCENT", ""}}} * maps;
 }
@@ -146,7 +147,7 @@ std::vector<gl::Defines> shader_variants(const std::string& file) {
         {"mesh.frag", mesh_variants},
         {"mesh.vert",
          [] {
-             return each_or_none({"SHADOWS", "TRANSLUCENT"});
+             return each_or_none({"SHADOWS", "TRANSLUCENT", "VERTEX_COLORS"});
          }},
         {"path_trace.comp", path_trace_variants},
         {"radiosity.comp",

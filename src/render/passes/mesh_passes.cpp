@@ -52,14 +52,19 @@ MeshBuffers upload(const scene::TriangleMesh& mesh) {
     const GLuint array = out.array.name();
     glVertexArrayVertexBuffer(array, 0, out.vertices.name(), 0, sizeof(Vertex));
     glVertexArrayElementBuffer(array, out.indices.name());
-    const auto attribute = [&](GLuint location, GLint size, std::size_t offset) {
+    const auto attribute = [&](GLuint location, GLint size, std::size_t offset, GLuint buffer) {
         glEnableVertexArrayAttrib(array, location);
         glVertexArrayAttribFormat(array, location, size, GL_FLOAT, GL_FALSE, GLuint(offset));
-        glVertexArrayAttribBinding(array, location, 0);
+        glVertexArrayAttribBinding(array, location, buffer);
     };
-    attribute(0, 3, offsetof(Vertex, position));
-    attribute(1, 3, offsetof(Vertex, normal));
-    attribute(2, 2, offsetof(Vertex, coordinate));
+    attribute(0, 3, offsetof(Vertex, position), 0);
+    attribute(1, 3, offsetof(Vertex, normal), 0);
+    attribute(2, 2, offsetof(Vertex, coordinate), 0);
+    if (!mesh.colors.empty()) {
+        out.colors = gl::Buffer("mesh colours", std::span<const glm::vec3>(mesh.colors));
+        glVertexArrayVertexBuffer(array, 1, out.colors.name(), 0, sizeof(glm::vec3));
+        attribute(3, 3, 0, 1);
+    }
     return out;
 }
 

@@ -17,7 +17,7 @@ struct MeshBuffers {
         std::size_t material = 0;          ///< index into the mesh's materials
         std::size_t first = 0, count = 0;  ///< in the index buffer
     };
-    gl::Buffer vertices, indices;
+    gl::Buffer vertices, indices, colors;  ///< `colors`: empty where the mesh has none
     gl::VertexArray array;
     glm::dvec3 middle_model{0.0};  ///< what the positions are relative to: floats are finest around 0
     std::vector<Part> parts;

@@ -39,6 +39,9 @@ std::uint32_t OpaquePass::draw_translucent(const PassAccess& access, const Param
     const gl::Buffer buffer("open pixels", std::span<const OpenTotals>(totals));
     gl::Defines defines = defines_of(parameters);
     defines["TRANSLUCENT"] = "";
+    if (input.colored) {
+        defines["VERTEX_COLORS"] = "";
+    }
     const auto draw = [&] {
         gl::Program& program = prepared_program(access, parameters, view, defines);
         gl::Buffer lamps;

@@ -86,6 +86,7 @@ void OpaquePass::update(const scene::Scene& scene, const Meshes& meshes, const T
         input.placed = {passes->triangles, passes->buffers, scene::world_from_model(scene, name)};
         input.surface = *mesh.surface;
         reads.insert(reads.end(), {input.placed.triangles.index, input.placed.buffers.index});
+        input.colored = mesh.surface->file_materials && !(*mesh.triangles)->colors.empty();
         if (shows_texture(**mesh.triangles, *mesh.surface)) {
             input.textures = passes->textures;
             reads.push_back(input.textures.index);
@@ -138,12 +139,15 @@ void OpaquePass::draw(const PassAccess& access, const Parameters& parameters) {
         view.draw_depth(access, prepared_program(access, parameters, view, {{"DEPTH_ONLY", ""}}), placed);
         glDepthFunc(GL_GEQUAL);
     }
-    const gl::Defines opaque = defines_of(parameters);
     for (const MeshInput& input : parameters.meshes) {
         triangles += access.read(input.placed.triangles)->triangles.size();
         if (input.inside.shown) {
             out.unseen += draw_translucent(access, parameters, view, input);
             continue;
+        }
+        gl::Defines opaque = defines_of(parameters);
+        if (input.colored) {
+            opaque["VERTEX_COLORS"] = "";
         }
         draw_mesh(access, prepared_program(access, parameters, view, opaque), input, view, parameters.shadows);
     }
@@ -212,7 +216,13 @@ void OpaquePass::draw_mesh(const PassAccess& access, gl::Program& program, const
         program.set("specular", glm::vec3(material.specular));
         program.set("shininess", float(material.shininess));
         const bool textured = input.textures.index >= 0 && material.diffuse_texture != nullptr;
+        const scene::TexturePlacement& placement = material.placement;
         program.set("textured", textured ? 1 : 0);
+        program.set("picture_place", glm::vec4(placement.scale, placement.offset));
+        program.set("picture_range", glm::vec2(placement.base, placement.gain));
+        program.set("picture_once", placement.once ? 1 : 0);
+        program.set("emission", glm::vec3(material.emission));
+        program.set("constant_color", material.constant ? 1 : 0);
         if (textured) {
             access.read(input.textures).of.at(material.diffuse_texture.get()).bind(0);
         }

@@ -56,6 +56,7 @@ class OpaquePass {
         Handle<MeshTextures> textures;  ///< empty where none is shown
         scene::MeshSurface surface;     ///< of the matter inside nothing is kept
         int highlight = 0;              ///< as mesh.frag counts them
+        bool colored = false;           ///< by colours at its corners
         Inside inside;
         bool operator==(const MeshInput&) const = default;
     };
