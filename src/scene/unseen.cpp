@@ -22,32 +22,36 @@ struct Seen {
 Seen look_at_box(const std::string& name, const Camera& camera, glm::ivec2 pixels, const glm::dmat4& world_from_box,
                  const glm::dvec3& low, const glm::dvec3& high) {
     const CameraFrame frame = camera_frame(camera);
-    const double tangent = std::tan(glm::radians(0.5 * camera.vertical_angle_deg));
     const bool parallel = camera.projection == Projection::orthographic;
-    glm::dvec2 smallest(1e300), largest(-1e300);  // 1 at the upper and the right edge of the picture
+    const double slope = parallel ? 0.0 : std::tan(glm::radians(0.5 * camera.vertical_angle_deg));
+    const double half_height = parallel ? 0.5 * camera.view_height : 0.0;  // at the eye; it grows with depth by `slope`
     double farthest = -1e300, nearest = 1e300;
+    glm::dvec2 low_edge(1e300), high_edge(1e300);  // how far all corners are beyond an edge of the view, metres
+    glm::dvec2 smallest(1e300), largest(-1e300);   // 1 at the upper and the right edge
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec4 p(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z, 1.0);
         const glm::dvec3 to = glm::dvec3(world_from_box * p) - camera.eye_world;
         const double depth = -glm::dot(to, frame.back_world);
         nearest = std::min(nearest, depth);
         farthest = std::max(farthest, depth);
-        const double half_height = parallel ? 0.5 * camera.view_height : depth * tangent;
+        const double half = half_height + depth * slope;
         const glm::dvec2 place(glm::dot(to, frame.right_world) * pixels.y / pixels.x, glm::dot(to, frame.up_world));
-        smallest = glm::min(smallest, place / half_height);
-        largest = glm::max(largest, place / half_height);
+        low_edge = glm::min(low_edge, -half - place);
+        high_edge = glm::min(high_edge, place - half);
+        smallest = glm::min(smallest, place / half);
+        largest = glm::max(largest, place / half);
     }
     if (farthest <= camera.near_distance) {
         return {name, Standing::behind, 0.0};
     }
+    if (std::max({low_edge.x, low_edge.y, high_edge.x, high_edge.y}) > 0.0) {
+        return {name, Standing::beside, 0.0};
+    }
     if (nearest <= camera.near_distance && !parallel) {
-        return {name, Standing::in_view, 1e300};  // around the eye: its corners tell nothing of where it is seen
+        return {name, Standing::in_view, 1e300};  // around the eye: its corners tell nothing of how large it looks
     }
     const glm::dvec2 size = 0.5 * (largest - smallest) * glm::dvec2(pixels);
     const double longest = std::max(size.x, size.y);
-    if (std::max(smallest.x, smallest.y) > 1.0 || std::min(largest.x, largest.y) < -1.0) {
-        return {name, Standing::beside, longest};
-    }
     return {name, longest < 1.0 ? Standing::too_small : Standing::in_view, longest};
 }
 
