@@ -122,8 +122,8 @@ int run(const std::vector<std::string>& arguments, const Viewer& viewer) {
         throw MachineError("this program opens no windows; 'bruma' does, and 'render' needs none");
     }
     const glm::ivec2 size = to_view.pixels();
-    return viewer(
-        {to_view.files, to_view.hints(), to_view.settings, to_view.camera, to_view.up, drive, size.x, size.y, samples});
+    return viewer({to_view.files, to_view.hints(), to_view.all_settings(), to_view.camera, to_view.up, drive, size.x,
+                   size.y, samples});
 }
 
 }  // namespace

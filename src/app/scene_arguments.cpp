@@ -111,6 +111,8 @@ void SceneArguments::declare(CLI::App& app, bool with_view) {
     app.add_option("files", files,
                    "a .json scene, .raw volumes, .obj and .off meshes, builtin:NAME; several are added to one scene");
     app.add_option("--set", settings, "PATH=VALUE: any parameter of the scene, e.g. volume.lighting=gradient");
+    app.add_flag("--common-coordinates", common_coordinates,
+                 "leave files where their own coordinates say, so that a scan and its segmentation lie on one another");
     app.add_option("--dims", dims, "samples of a headerless volume, as 256x256x128");
     app.add_option("--type", type, "type of its samples: uint8, int8, uint16, int16, float32");
     app.add_option("--spacing", spacing, "millimetres between its samples, as 1,1,2");
@@ -123,6 +125,14 @@ void SceneArguments::declare(CLI::App& app, bool with_view) {
         app.add_option("--time", time_s, "seconds: the moment that is shown");
         app.add_option("--up", up, "axis that is up in the picture: x, -x, y, -y, z, -z");
     }
+}
+
+std::vector<std::string> SceneArguments::all_settings() const {
+    std::vector<std::string> all = settings;
+    if (common_coordinates) {
+        all.insert(all.begin(), "placement.common_coordinates=true");
+    }
+    return all;
 }
 
 scene::VolumeSource SceneArguments::hints() const {
@@ -211,7 +221,7 @@ scene::Scene open_scene(const SceneArguments& arguments, const io::Progress& pro
     }
     // Settings of the camera wait until there is one.
     std::vector<std::string> scene_settings, camera_settings;
-    for (const std::string& setting : arguments.settings) {
+    for (const std::string& setting : arguments.all_settings()) {
         (setting.starts_with("camera") ? camera_settings : scene_settings).push_back(setting);
     }
     const auto presets = preset_folders();
