@@ -164,6 +164,8 @@ void SceneArguments::declare(CLI::App& app, bool with_view) {
         "a .json scene, volumes (.raw, .mhd, .nrrd), meshes (.obj, .off), builtin:NAME; several are added to one "
         "scene");
     app.add_option("--set", settings, "PATH=VALUE: any parameter of the scene, e.g. volume.lighting=gradient");
+    app.add_flag("--common-coordinates", common_coordinates,
+                 "leave files where their own coordinates say, so that a scan and its segmentation lie on one another");
     app.add_option("--dims", dims,
                    "samples of a headerless volume, as 256x256x128; of several files, for those that do not say it");
     app.add_option("--type", type, "type of its samples: uint8, int8, uint16, int16, float32");
@@ -180,6 +182,14 @@ void SceneArguments::declare(CLI::App& app, bool with_view) {
         app.add_option("--up", up, "axis that is up in the picture: x, -x, y, -y, z, -z");
     }
     refuse_empty_words(app, words);
+}
+
+std::vector<std::string> SceneArguments::all_settings() const {
+    std::vector<std::string> all = settings;
+    if (common_coordinates) {
+        all.insert(all.begin(), "placement.common_coordinates=true");
+    }
+    return all;
 }
 
 scene::VolumeSource SceneArguments::hints() const {

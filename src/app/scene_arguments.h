@@ -19,8 +19,11 @@ struct SceneArguments {
     std::string camera;
     std::string up;
     std::optional<double> time_s;
+    bool common_coordinates = false;
 
     void declare(CLI::App& app, bool with_view);
+    /// Those of --set, behind those that other options stand for.
+    std::vector<std::string> all_settings() const;
     /// Throws InputError for words that are no layout.
     scene::VolumeSource hints() const;
     glm::ivec2 pixels() const;

@@ -85,7 +85,7 @@ std::shared_ptr<const scene::TriangleMesh> known_triangles(const scene::Scene* k
     }
     for (const auto& [name, node] : known->nodes) {
         const auto* mesh = std::get_if<scene::Mesh>(&node.content);
-        if (mesh != nullptr && mesh->source == source && *mesh->triangles) {
+        if (mesh != nullptr && scene::same_triangles(mesh->source, source) && *mesh->triangles) {
             return *mesh->triangles;
         }
     }
@@ -118,8 +118,7 @@ scene::LoadedMesh load_mesh(const scene::MeshSource& source, const Progress& pro
     return loaded;
 }
 
-std::shared_ptr<const scene::TriangleMesh> load_triangles(const scene::MeshSource& source, const Progress& progress) {
-    const scene::LoadedMesh loaded = load_mesh(source, progress);
+void log_remarks(const scene::MeshSource& source, const scene::LoadedMesh& loaded) {
     for (const std::string& remark : loaded.remarks) {
         log_line(LogLevel::warning, remark);
     }
@@ -127,6 +126,11 @@ std::shared_ptr<const scene::TriangleMesh> load_triangles(const scene::MeshSourc
         log_note("{}: one unit is {:g} mm ({}); mesh.source.millimetres_per_unit changes it", source.file,
                  loaded.unit.millimetres, loaded.unit.from);
     }
+}
+
+std::shared_ptr<const scene::TriangleMesh> load_triangles(const scene::MeshSource& source, const Progress& progress) {
+    const scene::LoadedMesh loaded = load_mesh(source, progress);
+    log_remarks(source, loaded);
     return loaded.mesh;
 }
 

@@ -15,6 +15,9 @@ bool is_mesh(const std::string& file);
 /// `progress` throws passes through.
 scene::LoadedMesh load_mesh(const scene::MeshSource& source, const Progress& progress);
 
+/// Writes its remarks to the log, and the unit that it got where nobody said one.
+void log_remarks(const scene::MeshSource& source, const scene::LoadedMesh& loaded);
+
 /// The triangles alone; remarks go to the log.
 std::shared_ptr<const scene::TriangleMesh> load_triangles(const scene::MeshSource& source, const Progress& progress);
 

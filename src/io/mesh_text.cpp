@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "scene/mesh_up.h"
+
 namespace bruma::io {
 namespace {
 
@@ -55,8 +57,17 @@ std::string mesh_text(const std::string& file, const scene::LoadedMesh& loaded) 
                         report.unused_vertices > 0 ? fmt::format(" ({} in no face)", report.unused_vertices) : "",
                         loaded.normals, loaded.texture_coordinates);
     text += fmt::format("faces    {}, {} triangles\n", loaded.faces, report.triangles);
-    text += fmt::format("bounds   ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}) units\n", report.low.x,
+    text += fmt::format("bounds   ({:.10g}, {:.10g}, {:.10g}) to ({:.10g}, {:.10g}, {:.10g}) units\n", report.low.x,
                         report.low.y, report.low.z, report.high.x, report.high.y, report.high.z);
+    if (const glm::dvec3 far = 1e3 / mm * loaded.mesh->origin; far != glm::dvec3(0.0)) {
+        text += fmt::format(
+            "offset   ({:.10g}, {:.10g}, {:.10g}) units, far from the origin: taken off in double precision, and at 0 "
+            "of scenes without common coordinates\n",
+            far.x, far.y, far.z);
+    }
+    if (scene::is_z_plainly_up(*loaded.mesh)) {
+        text += "up       z (it stands on a wide flat base at its lowest z)\n";
+    }
     text += fmt::format("extent   {:.6g} x {:.6g} x {:.6g} mm\n", mm * extent.x, mm * extent.y, mm * extent.z);
     text += fmt::format("unit     {:.6g} mm ({})\n", mm, loaded.unit.from);
     text += fmt::format("area     {:.6g} mm^2\n", mm * mm * report.area);

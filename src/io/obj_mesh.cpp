@@ -10,7 +10,6 @@
 #include <span>
 #include <streambuf>
 
-#include "base/error.h"
 #include "io/obj_materials.h"
 #include "io/obj_text.h"
 
@@ -119,19 +118,14 @@ void take_material(void* user, const char* text, int) {
 }
 
 /// Adds the faces that were kept, and notes where the first one stands that is left out.
-void add_faces(Receiver& from, const std::string& where) {
+void add_faces(Receiver& from) {
     std::size_t begin = 0;
     for (std::size_t n = 0; n < from.face_ends.size(); ++n) {
         const auto corners = std::span(from.corners).subspan(begin, from.face_ends[n] - begin);
         begin = from.face_ends[n];
-        const auto line = [&] { return line_of_statement(from.text.text, "f", n); };
-        try {
-            const auto verdict = from.parts.add_face(corners, from.face_materials[n]);
-            if (verdict != scene::MeshParts::Verdict::good && from.parts.first_left_out.empty()) {
-                from.parts.first_left_out = fmt::format("line {}", line());
-            }
-        } catch (const InputError& error) {
-            throw InputError(fmt::format("{}: line {}: {}", where, line(), error.what()));
+        const auto verdict = from.parts.add_face(corners, from.face_materials[n]);
+        if (verdict != scene::MeshParts::Verdict::good && from.parts.first_left_out.empty()) {
+            from.parts.first_left_out = fmt::format("line {}", line_of_statement(from.text.text, "f", n));
         }
     }
 }
@@ -175,7 +169,7 @@ scene::LoadedMesh load_obj_mesh(const std::filesystem::path& path, const scene::
     stream.exceptions(std::ios::badbit);
     tinyobj::LoadObjWithCallback(stream, callback, &to);
 
-    add_faces(to, path.string());
+    add_faces(to);
     to.parts.colors = obj.colors.linear(to.parts.positions.size());
     to.parts.materials = std::move(materials.materials);
     const std::size_t named = to.parts.materials.size();
@@ -184,10 +178,6 @@ scene::LoadedMesh load_obj_mesh(const std::filesystem::path& path, const scene::
         to.parts.materials.emplace_back();
     }
     scene::LoadedMesh loaded = scene::make_mesh(to.parts, source, obj.unit_mm);
-    if (!to.parts.first_left_out.empty()) {
-        loaded.remarks.push_back(
-            fmt::format("{}: the first face that was left out stands in {}", path.string(), to.parts.first_left_out));
-    }
     if (const std::string others = obj.others.remark(!to.parts.normals.empty()); !others.empty()) {
         loaded.remarks.push_back(fmt::format("{}: tells more than is drawn: {}", path.string(), others));
     }

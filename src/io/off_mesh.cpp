@@ -61,6 +61,7 @@ class OffLines {
         return found;
     }
     bool is_used_up() const { return line_.empty(); }
+    std::size_t line_number() const { return number_; }
 
     template <class Number>
     std::optional<Number> number() {
@@ -154,10 +155,9 @@ scene::LoadedMesh load_off_mesh(const std::filesystem::path& path, const scene::
             lines.fail(fmt::format("expected face {} of {}: its number of corners, then as many indices", n + 1,
                                    counts.faces));
         }
-        try {
-            parts.add_face(face, 0);
-        } catch (const InputError& error) {
-            lines.fail(error.what());
+        const auto verdict = parts.add_face(face, 0);
+        if (verdict != scene::MeshParts::Verdict::good && parts.first_left_out.empty()) {
+            parts.first_left_out = fmt::format("line {}", lines.line_number());
         }
     }
     return scene::make_mesh(parts, source, scene::commented_unit_mm(std::string_view(text).substr(0, 4096)));

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <glm/gtc/matrix_transform.hpp>
 #include <map>
+#include <numeric>
 
 #include "base/error.h"
 #include "base/log.h"
 #include "base/nearest_name.h"
+#include "io/added_mesh.h"
 #include "io/grid_source.h"
 #include "io/mesh_source.h"
 #include "io/raw_layout.h"
@@ -24,6 +27,7 @@ namespace bruma::io {
 namespace {
 
 using Folders = std::vector<std::filesystem::path>;
+using Settings = std::span<const std::string>;
 
 enum class FileKind { scene, raw_volume, mesh, builtin_volume, builtin_scene };
 
@@ -122,9 +126,20 @@ bool overlap(const scene::Bounds& a, const scene::Bounds& b) {
     return true;
 }
 
+/// The box around a box that a node is turned and moved by.
+scene::Bounds moved_box(const glm::dmat4& world_from_box, const glm::dvec3& low, const glm::dvec3& high) {
+    // Each axis of the world sees a share of each edge.
+    const glm::dmat3 linear(world_from_box);
+    const glm::dvec3 half = 0.5 * (high - low);
+    const glm::dvec3 reach = glm::abs(linear[0]) * half.x + glm::abs(linear[1]) * half.y + glm::abs(linear[2]) * half.z;
+    const glm::dvec3 middle = world_from_box * glm::dvec4(0.5 * (low + high), 1.0);
+    return {middle - reach, middle + reach};
+}
+
 /// How far along x a box must go to stand beside what is there.
 double way_out(const scene::Scene& scene, const scene::Bounds& box) {
-    if (scene::shown_volumes(scene).empty() && scene::shown_meshes(scene).empty()) {
+    const bool empty = scene::shown_volumes(scene).empty() && scene::shown_meshes(scene).empty();
+    if (empty || scene.placement->common_coordinates) {
         return 0.0;
     }
     const scene::Bounds taken = scene::world_bounds(scene);
@@ -136,18 +151,20 @@ void add_node(scene::Scene& scene, const std::string& name, decltype(scene::Node
               const scene::Bounds& box, const scene::Transform& turn = {}) {
     scene::Node node;
     node.transform = turn;
-    node.transform.edit([&](scene::Transform& transform) { transform.translation.x = way_out(scene, box); });
+    node.transform.edit([&](scene::Transform& transform) { transform.translation.x += way_out(scene, box); });
     node.content = std::move(content);
-    scene.nodes.emplace(unique_name(scene, name), std::move(node));
+    scene.nodes.emplace(name, std::move(node));
 }
 
-void add_mesh(scene::Scene& scene, const std::string& file, const Progress& progress) {
-    scene::Mesh mesh;
-    mesh.source.file = file;
-    mesh.triangles = load_triangles(mesh.source, progress);
-    const scene::Bounds box{(*mesh.triangles)->low, (*mesh.triangles)->high};
-    const std::string name = (*mesh.triangles)->name;
-    add_node(scene, name, std::move(mesh), box);
+void add_mesh(scene::Scene& scene, const std::string& file, Settings settings, const Progress& progress,
+              const Folders& folders) {
+    const std::string name =
+        unique_name(scene, is_builtin(file) ? builtin_name(file) : std::filesystem::path(file).stem().string());
+    AddedMesh added = read_added_mesh(scene, name, file, settings, progress, folders);
+    const scene::TriangleMesh& mesh = **added.mesh.triangles;
+    const glm::dmat4 moved = glm::translate(scene::parent_from_model(added.transform), scene::shift_of(added.mesh));
+    const scene::Bounds box = moved_box(moved, mesh.low, mesh.high);
+    add_node(scene, name, std::move(added.mesh), box, added.transform);
 }
 
 void add_volume(scene::Scene& scene, const std::string& name, scene::VolumeSource source,
@@ -157,17 +174,26 @@ void add_volume(scene::Scene& scene, const std::string& name, scene::VolumeSourc
     volume.transfer_function = scene::suggested_transfer_function(*grid);
     // Lit surfaces tell shapes at the first look; nothing is lost by switching it off.
     volume.optics.edit([](scene::VolumeOptics& optics) { optics.lighting = scene::VolumeLighting::gradient; });
-    const scene::Transform turn{.rotation_deg = rotation_deg};
-    // Of the turned volume's box: each axis of the world sees a share of each edge.
-    const glm::dmat3 turned(scene::parent_from_model(turn));
-    const glm::dvec3 edges = grid->extent();
-    const glm::dvec3 extent =
-        glm::abs(turned[0]) * edges.x + glm::abs(turned[1]) * edges.y + glm::abs(turned[2]) * edges.z;
+    scene::Transform turn{.rotation_deg = rotation_deg};
+    const glm::dvec3 extent = grid->extent();
+    if (scene.placement->common_coordinates) {
+        // Headerless files tell no place: coordinates count from their first sample, as other programs take them.
+        turn.rotation_deg = glm::dvec3(0.0);
+        turn.translation = -common_coordinates(scene).origin_m;
+        turn.translation += is_builtin(volume.source.file) ? glm::dvec3(0.0) : 0.5 * (extent - grid->spacing);
+        log_note("{}: its first sample stands at 0 of the common coordinates{}", volume.source.file,
+                 rotation_deg == glm::dvec3(0.0) ? "" : ", and it is not set upright");
+    }
+    const scene::Bounds box = moved_box(scene::parent_from_model(turn), -0.5 * extent, 0.5 * extent);
     volume.grid = std::move(grid);
-    add_node(scene, name, std::move(volume), {-0.5 * extent, 0.5 * extent}, turn);
+    add_node(scene, name, std::move(volume), box, turn);
 }
 
-using Settings = std::span<const std::string>;
+Tracked<scene::Placement> placement_as_set(const scene::Scene& scene, Settings settings, const Folders& folders) {
+    scene::Scene empty;
+    empty.placement = scene.placement;
+    return with_sources_set(empty, settings, folders).placement;
+}
 
 scene::Scene whole_scene(const std::string& argument, FileKind kind, Settings settings, const Progress& progress,
                          const Folders& folders) {
@@ -189,7 +215,7 @@ void add_without_light(scene::Scene& scene, const std::string& argument, const s
         return;
     }
     if (kind == FileKind::mesh) {
-        add_mesh(scene, argument, progress);
+        add_mesh(scene, argument, settings, progress, folders);
         return;
     }
     scene::VolumeSource source;
@@ -198,10 +224,14 @@ void add_without_light(scene::Scene& scene, const std::string& argument, const s
     }
     std::string name = kind == FileKind::raw_volume ? make_grid_name(argument) : builtin_name(argument);
     source.file = argument;
+    name = unique_name(scene, name);
+    scene::Volume volume;
+    volume.source = std::move(source);
+    source = with_source_set(std::move(volume), name, settings, folders).source;
     auto grid = load_grid(source, progress);
     glm::dvec3 rotation_deg(0.0);
-    if (kind == FileKind::raw_volume) {
-        const RawLayout layout = find_raw_layout(argument, hints);
+    if (kind == FileKind::raw_volume && source.file == argument) {
+        const RawLayout layout = find_raw_layout(argument, source);
         rotation_deg = layout.rotation_deg;
         note_known_volume(argument, layout);
     }
@@ -265,12 +295,21 @@ scene::Scene open_files(std::span<const std::string> arguments, const scene::Vol
     // Names are judged before the first gigabyte is read.
     const std::vector<scene::VolumeSource> own_hints = hints_for_each(arguments, hints);
     scene::Scene scene;
-    for (std::size_t n = 0; n < arguments.size(); ++n) {
+    scene.placement = placement_as_set(scene, settings, preset_folders);
+    std::vector<std::size_t> in_order(arguments.size());
+    std::iota(in_order.begin(), in_order.end(), std::size_t(0));
+    if (scene.placement->common_coordinates) {
+        // Volumes settle the unit of meshes that do not say theirs.
+        std::stable_partition(in_order.begin(), in_order.end(),
+                              [&](std::size_t argument) { return !is_mesh(arguments[argument]); });
+    }
+    for (std::size_t n = 0; n < in_order.size(); ++n) {
         const auto part = [&](double share, std::string_view what) {
-            progress((double(n) + share) / double(arguments.size()), what);
+            progress((double(n) + share) / double(in_order.size()), what);
         };
-        add_without_light(scene, arguments[n], own_hints[n], settings, progress ? Progress(part) : Progress(),
-                          preset_folders);
+        const std::size_t argument = in_order[n];
+        add_without_light(scene, arguments[argument], own_hints[argument], settings,
+                          progress ? Progress(part) : Progress(), preset_folders);
     }
     add_default_light(scene);
     return settings.empty() ? scene : with_settings(scene, settings, progress, preset_folders);
@@ -279,6 +318,7 @@ scene::Scene open_files(std::span<const std::string> arguments, const scene::Vol
 void add_file(scene::Scene& scene, const std::string& argument, const scene::VolumeSource& hints,
               const Progress& progress, const Folders& preset_folders, Settings settings) {
     scene::Scene changed = scene;
+    changed.placement = placement_as_set(scene, settings, preset_folders);
     add_without_light(changed, argument, hints, settings, progress, preset_folders);
     add_default_light(changed);
     scene::check(changed);

@@ -58,28 +58,6 @@ fs::path seen_from(const fs::path& folder, const fs::path& file) {
     return relative.empty() || climbs > 3 ? absolute : relative;
 }
 
-/// Applies the settings that change where samples come from. One that does not fit is passed over: it may be meant for
-/// a volume that another file adds, and is judged with all the others when everything is there.
-void change_sources(scene::Scene& scene, std::span<const std::string> settings, const std::vector<fs::path>& folders) {
-    nlohmann::json document = to_json(scene);
-    for (const std::string& setting : settings) {
-        const std::string path = setting.substr(0, setting.find('=')) + ".";
-        if (path.find(".source.") == std::string::npos) {
-            continue;
-        }
-        try {
-            nlohmann::json changed = document;
-            apply_setting(changed, setting);
-            document = std::move(changed);
-        } catch (const InputError&) {
-            continue;
-        }
-    }
-    if (document != to_json(scene)) {
-        scene = from_json(document, "--set", folders);
-    }
-}
-
 }  // namespace
 
 scene::Scene read_scene_file(const fs::path& path, const Progress& progress,
@@ -90,7 +68,7 @@ scene::Scene read_scene_file(const fs::path& path, const Progress& progress,
     folders.insert(folders.end(), preset_folders.begin(), preset_folders.end());
     scene::Scene scene = from_json(document, path.string(), folders);
     for_each_file(scene, [&](const fs::path& file) { return (folder / file).lexically_normal(); });
-    change_sources(scene, settings, folders);
+    scene = with_sources_set(scene, settings, folders);
     try {
         load_missing_grids(scene, nullptr, progress);
         load_missing_meshes(scene, nullptr, progress);

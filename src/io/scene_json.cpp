@@ -175,6 +175,7 @@ json to_json(const scene::Scene& scene) {
                   {"rendering", fields_json(*scene.rendering)},
                   {"display", fields_json(*scene.display)},
                   {"time", fields_json(*scene.time)},
+                  {"placement", fields_json(*scene.placement)},
                   {"lights", json::object()},
                   {"nodes", json::object()}};
     if (scene.camera) {
@@ -200,7 +201,7 @@ scene::Scene from_json(const json& document, const std::string& where, const Fol
     check_version(document, version_key, version, where);
     require_known_keys(document, top,
                        {version_key, "camera", "sky", "sun", "atmosphere", "background", "environment", "rendering",
-                        "display", "time", "lights", "nodes"});
+                        "display", "time", "placement", "lights", "nodes"});
     scene::Scene scene;
     if_present(document, top, "camera", [&](const json& from, const std::string& here) {
         if (!from.is_null()) {
@@ -222,6 +223,9 @@ scene::Scene from_json(const json& document, const std::string& where, const Fol
     });
     if_present(document, top, "time", [&](const json& from, const std::string& here) {
         scene.time = read_fields<scene::Timeline>(from, here);
+    });
+    if_present(document, top, "placement", [&](const json& from, const std::string& here) {
+        scene.placement = read_fields<scene::Placement>(from, here);
     });
     if_present(document, top, "lights", [&](const json& lights, const std::string& here) {
         for_each_named(lights, here, [&](const std::string& name, const json& from, const std::string& path) {

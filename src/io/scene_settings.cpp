@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "io/clouds_json.h"
 #include "io/json_fields.h"
 #include "io/json_text.h"
+#include "io/scene_json.h"
 #include "scene/camera.h"
 #include "scene/sky.h"
 
@@ -185,6 +187,32 @@ void apply_setting(json& scene_document, std::string_view path_equals_value) {
     make_if_missing<scene::Sun>(scene_document, first, "sun");
     make_if_missing<scene::Atmosphere>(scene_document, first, "atmosphere");
     assign(walk.down(scene_document, 0), value, std::string(path_equals_value));
+}
+
+scene::Scene with_sources_set(const scene::Scene& scene, std::span<const std::string> settings,
+                              const std::vector<std::filesystem::path>& preset_folders) {
+    const auto comes_first = [](const std::string& setting) {
+        const std::string path = setting.substr(0, setting.find('=')) + ".";
+        return path.find(".source.") != std::string::npos || path.starts_with("placement.");
+    };
+    if (std::none_of(settings.begin(), settings.end(), comes_first)) {
+        return scene;
+    }
+    const json before = to_json(scene);
+    json document = before;
+    for (const std::string& setting : settings) {
+        if (!comes_first(setting)) {
+            continue;
+        }
+        try {
+            json changed = document;
+            apply_setting(changed, setting);
+            document = std::move(changed);
+        } catch (const InputError&) {
+            continue;
+        }
+    }
+    return document == before ? scene : from_json(document, "--set", preset_folders);
 }
 
 }  // namespace bruma::io

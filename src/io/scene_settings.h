@@ -1,6 +1,12 @@
 #pragma once
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
+
+#include "scene/scene.h"
 
 namespace bruma::io {
 
@@ -15,5 +21,20 @@ namespace bruma::io {
 /// The value is not judged here: read the document with `from_json` afterwards. Throws InputError for a setting without
 /// '=' or '.', and for a part of the path that does not exist, with the nearest one that does.
 void apply_setting(nlohmann::json& scene_document, std::string_view path_equals_value);
+
+/// The scene with those of the settings applied that tell where samples and triangles come from, or how files are
+/// placed (placement.*): they hold before anything is read. One that does not fit is passed over: it may be meant for
+/// what another file adds, and is judged with all the others when everything is there.
+scene::Scene with_sources_set(const scene::Scene& scene, std::span<const std::string> settings,
+                              const std::vector<std::filesystem::path>& preset_folders);
+
+/// The same for what is to become the node `name` of a scene that is read already.
+template <class Content>
+Content with_source_set(Content content, const std::string& name, std::span<const std::string> settings,
+                        const std::vector<std::filesystem::path>& preset_folders) {
+    scene::Scene alone;
+    alone.nodes[name].content = std::move(content);
+    return std::get<Content>(with_sources_set(alone, settings, preset_folders).nodes.at(name).content);
+}
 
 }  // namespace bruma::io

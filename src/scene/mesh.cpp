@@ -6,6 +6,18 @@
 
 namespace bruma::scene {
 
+bool same_triangles(const MeshSource& a, const MeshSource& b) {
+    MeshSource placed = a;
+    placed.origin = b.origin;
+    return placed == b;
+}
+
+glm::dvec3 shift_of(const Mesh& mesh) {
+    const TriangleMesh& triangles = **mesh.triangles;
+    const glm::dvec3 placed = mesh.source.origin.value_or(glm::dvec3(0.0));
+    return triangles.origin - 1e-3 * triangles.millimetres_per_unit * placed;
+}
+
 SubsurfaceMedium medium_of(const MeshSurface& surface) {
     return surface.material == Material::custom ? surface.custom_medium : medium_of(surface.material);
 }

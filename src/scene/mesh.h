@@ -23,8 +23,9 @@ struct MeshSource {
     std::string file;  ///< path (relative to the scene file when read from one) or builtin:NAME
     std::optional<double> millimetres_per_unit = {};  ///< empty: as the file says, or proposed from its size
     MeshNormals normals = MeshNormals::file;
-    double crease_angle_deg = 60.0;  ///< computed normals: edges that bend more than this stay sharp
-    std::string texture = {};        ///< path of a picture for all of it; empty: those that the file names
+    double crease_angle_deg = 60.0;         ///< computed normals: edges that bend more than this stay sharp
+    std::string texture = {};               ///< path of a picture for all of it; empty: those that the file names
+    std::optional<glm::dvec3> origin = {};  ///< units of the file: the place in it that the node's transform moves
     bool operator==(const MeshSource&) const = default;
 };
 
@@ -51,6 +52,9 @@ void visit_fields(Self& source, Visitor&& visit) {
           source.crease_angle_deg);
     visit(Field{.name = "texture", .sentence = "path of a picture for all of it; empty: those that the file names"},
           source.texture);
+    visit(Field{.name = "origin",
+                .sentence = "the place in the file, in its units, that stands where the transform says; null: its 0"},
+          source.origin);
 }
 
 /// How light leaves the surface.
@@ -109,13 +113,19 @@ void visit_fields(Self& surface, Visitor&& visit) {
     visit_fields(surface.custom_medium, visit);
 }
 
-/// A surface and how it is shown. Model space: metres, the origin of the file kept.
+/// Whether two sources give the same triangles: `origin` only says where these stand.
+bool same_triangles(const MeshSource& a, const MeshSource& b);
+
+/// A surface and how it is shown. Model space: metres from the origin of its triangles.
 struct Mesh {
     MeshSource source;
     Tracked<std::shared_ptr<const TriangleMesh>> triangles;  ///< never null in a scene that is ready to render
     Tracked<MeshSurface> surface;
     Tracked<SubsurfaceSettings> subsurface;  ///< translucent
 };
+
+/// What model space is shifted by before the node's transform moves it, metres.
+glm::dvec3 shift_of(const Mesh& mesh);
 
 /// The matter inside a translucent surface: by name, or its own coefficients.
 SubsurfaceMedium medium_of(const MeshSurface& surface);

@@ -39,8 +39,8 @@ struct MeshMaterial {
     bool constant = false;                                    ///< shows its diffuse colour in any light
 };
 
-/// A surface of triangles in model space: metres, the origin of the file kept. All numbers are finite, all indices
-/// valid, every triangle has an area. Never changed once it is shared.
+/// A surface of triangles in model space: metres from `origin`. All numbers are finite, all indices valid, every
+/// triangle has an area. Never changed once it is shared.
 struct TriangleMesh {
     std::string name;                            ///< file stem or builtin name, for people
     std::vector<glm::vec3> positions;            ///< metres
@@ -52,6 +52,9 @@ struct TriangleMesh {
     std::vector<MeshMaterial> materials;            ///< at least one
     double millimetres_per_unit = 1.0;              ///< how long a unit of the file was taken to be
     glm::dvec3 low{0.0}, high{0.0};                 ///< box around all positions, metres
+    /// What positions are counted from, metres in the coordinates of the file. Not 0 where floats would round those
+    /// coordinates too coarsely: it was taken off in double then.
+    glm::dvec3 origin{0.0};
     bool closed = false;  ///< every edge has a triangle on both sides, so that there is an inside
 };
 

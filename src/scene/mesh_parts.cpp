@@ -4,17 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/error.h"
 #include "scene/mesh_normals.h"
 #include "scene/mesh_polygon.h"
+#include "scene/mesh_strays.h"
 #include "scene/mesh_weld.h"
 
 namespace bruma::scene {
 namespace {
 
+/// Whether single precision holds it; false for NaN.
 bool is_finite(const glm::dvec3& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    constexpr double most = std::numeric_limits<float>::max();
+    return std::abs(p.x) <= most && std::abs(p.y) <= most && std::abs(p.z) <= most;
 }
 
 /// Zero for numbers that no texture lookup can use.
@@ -35,18 +39,28 @@ struct CleanTriangles {
     std::vector<std::uint32_t> materials;
 };
 
-std::vector<glm::dvec3> rounded_metres(const MeshParts& parts, double millimetres_per_unit) {
+/// What coordinates are counted from, in the unit of the file: 0 where that leaves them nearly as fine as floats about
+/// the middle would be, so that they stay the numbers of the file.
+glm::dvec3 origin_of(const MeshCore& core) {
+    const glm::dvec3 middle = 0.5 * core.low + 0.5 * core.high;
+    const glm::dvec3 sides = core.high - core.low;
+    const glm::dvec3 away = glm::abs(middle);
+    const bool far = std::max({away.x, away.y, away.z}) > 16.0 * std::max({sides.x, sides.y, sides.z});
+    return far ? middle : glm::dvec3(0.0);
+}
+
+std::vector<glm::dvec3> rounded_metres(const MeshParts& parts, double millimetres_per_unit, glm::dvec3 origin) {
     std::vector<glm::dvec3> metres;
     metres.reserve(parts.positions.size());
     for (const glm::dvec3& p : parts.positions) {
-        metres.emplace_back(glm::vec3(1e-3 * millimetres_per_unit * p));
+        metres.emplace_back(glm::vec3(1e-3 * millimetres_per_unit * (p - origin)));
     }
     return metres;
 }
 
-CleanTriangles clean(const MeshParts& parts, double millimetres_per_unit) {
+CleanTriangles clean(const MeshParts& parts, double millimetres_per_unit, glm::dvec3 origin) {
     CleanTriangles kept;
-    kept.positions = rounded_metres(parts, millimetres_per_unit);
+    kept.positions = rounded_metres(parts, millimetres_per_unit, origin);
     const std::vector<std::uint32_t> first = first_equal(kept.positions);
     kept.triangles.reserve(parts.triangles.size());
     kept.corners.reserve(parts.triangles.size());
@@ -245,7 +259,12 @@ void remark_losses(const MeshParts& parts, std::vector<std::string>& remarks) {
     };
     say(parts.faces_of_few_corners, "with less than three corners left out");
     say(parts.faces_out_of_range, "with vertices that do not exist left out");
-    say(parts.faces_not_finite, "with vertices that are no finite numbers left out");
+    say(parts.faces_not_finite, "with vertices that are no finite numbers up to 3.4e38 left out");
+    say(parts.faces_too_tangled, "whose outlines cross themselves too often to be cut left out");
+    if (!parts.first_left_out.empty()) {
+        remarks.push_back(
+            fmt::format("{}: the first face that was left out stands in {}", parts.where, parts.first_left_out));
+    }
     if (parts.lost_attributes > 0) {
         remarks.push_back(fmt::format("{}: {} named texture coordinates or normals that do not exist, and do without",
                                       parts.where, counted(parts.lost_attributes, "corner")));
@@ -261,7 +280,8 @@ std::string nothing_to_show(const MeshParts& parts) {
     };
     add(parts.faces_of_few_corners, "with less than three corners");
     add(parts.faces_out_of_range, "with corners that do not exist");
-    add(parts.faces_not_finite, "with corners that are no finite numbers");
+    add(parts.faces_not_finite, "with corners that are no finite numbers up to 3.4e38");
+    add(parts.faces_too_tangled, "whose outlines cross themselves too often to be cut");
     if (lost.empty()) {
         return fmt::format(
             "{}: holds no faces, so there is nothing to show; found {}, and lines and points are not drawn; export it "
@@ -272,13 +292,24 @@ std::string nothing_to_show(const MeshParts& parts) {
                        parts.first_left_out.empty() ? "" : ", the first in " + parts.first_left_out);
 }
 
-MeshReport report_of(const MeshParts& parts) {
+std::vector<glm::uvec3> triangles_of(const MeshParts& parts) {
     std::vector<glm::uvec3> triangles;
     triangles.reserve(parts.triangles.size());
     for (const auto& corners : parts.triangles) {
         triangles.emplace_back(corners[0].position, corners[1].position, corners[2].position);
     }
-    return mesh_report(parts.positions, triangles);
+    return triangles;
+}
+
+/// Examines triangles as the file has them; how far out strays stand is a remark.
+MeshCore examine(const MeshParts& parts, LoadedMesh& loaded) {
+    const std::vector<glm::uvec3> triangles = triangles_of(parts);
+    loaded.report = mesh_report(parts.positions, triangles);
+    MeshCore core = mesh_core(parts.positions, triangles, loaded.report);
+    if (core.strays > 0) {
+        loaded.remarks.push_back(stray_words(core, parts.where));
+    }
+    return core;
 }
 
 }  // namespace
@@ -309,7 +340,10 @@ MeshParts::Verdict MeshParts::add_face(std::span<const FaceCorner> corners, std:
         }
     }
     cut_.clear();
-    triangulate(polygon_, cut_);
+    if (!triangulate(polygon_, cut_)) {
+        ++faces_too_tangled;
+        return Verdict::too_tangled;
+    }
     for (const auto& cut : cut_) {
         triangles.push_back({checked_[cut[0]], checked_[cut[1]], checked_[cut[2]]});
         triangle_materials.push_back(material);
@@ -327,18 +361,19 @@ LoadedMesh make_mesh(const MeshParts& parts, const MeshSource& source, double sa
     if (parts.triangles.empty()) {
         throw InputError(nothing_to_show(parts));
     }
-    loaded.report = report_of(parts);
-    const glm::dvec3 extent = loaded.report.high - loaded.report.low;
-    loaded.unit = source.millimetres_per_unit ? UnitLength{*source.millimetres_per_unit, "the scene"}
-                  : said_unit_mm > 0.0        ? UnitLength{said_unit_mm, "a comment of the file"}
+    const MeshCore core = examine(parts, loaded);
+    const glm::dvec3 extent = core.high - core.low;
+    loaded.unit = source.millimetres_per_unit ? UnitLength{*source.millimetres_per_unit, "the scene", false}
+                  : said_unit_mm > 0.0        ? UnitLength{said_unit_mm, "a comment of the file", false}
                                               : proposed_unit(std::max({extent.x, extent.y, extent.z}));
 
-    CleanTriangles kept = clean(parts, loaded.unit.millimetres);
+    const glm::dvec3 origin = origin_of(core);
+    CleanTriangles kept = clean(parts, loaded.unit.millimetres, origin);
     if (const std::size_t lost = parts.triangles.size() - kept.triangles.size(); lost > 0) {
         if (kept.triangles.empty()) {
-            throw InputError(fmt::format(
-                "{}: none of its {} has an area{}, so there is nothing to show", parts.where, counted(lost, "triangle"),
-                loaded.report.degenerate_triangles < lost ? " in single precision, this far from its origin" : ""));
+            throw InputError(fmt::format("{}: none of its {} has an area{}, so there is nothing to show", parts.where,
+                                         counted(lost, "triangle"),
+                                         loaded.report.degenerate_triangles < lost ? " in single precision" : ""));
         }
         loaded.remarks.push_back(fmt::format("{}: {} without area left out", parts.where, counted(lost, "triangle")));
     }
@@ -347,9 +382,24 @@ LoadedMesh make_mesh(const MeshParts& parts, const MeshSource& source, double sa
     complete_normals(kept, normals, source.crease_angle_deg);
     auto mesh = indexed(kept, parts, normals);
     mesh->millimetres_per_unit = loaded.unit.millimetres;
+    mesh->origin = 1e-3 * loaded.unit.millimetres * origin;
     mesh->closed = loaded.report.closed();
     loaded.mesh = std::move(mesh);
     return loaded;
+}
+
+void set_unit(LoadedMesh& loaded, UnitLength unit) {
+    auto mesh = std::make_shared<TriangleMesh>(*loaded.mesh);
+    const double ratio = unit.millimetres / loaded.unit.millimetres;
+    for (glm::vec3& position : mesh->positions) {
+        position = glm::vec3(ratio * glm::dvec3(position));
+    }
+    mesh->low = glm::vec3(ratio * mesh->low);
+    mesh->high = glm::vec3(ratio * mesh->high);
+    mesh->origin *= ratio;
+    mesh->millimetres_per_unit = unit.millimetres;
+    loaded.mesh = std::move(mesh);
+    loaded.unit = std::move(unit);
 }
 
 }  // namespace bruma::scene

@@ -33,12 +33,13 @@ struct MeshParts {
     std::size_t faces = 0;                 ///< good ones
     std::size_t faces_of_few_corners = 0;  ///< less than three: left out
     std::size_t faces_out_of_range = 0;    ///< with a corner that does not exist: left out
-    std::size_t faces_not_finite = 0;      ///< with a corner that is no finite number: left out
+    std::size_t faces_not_finite = 0;      ///< with a corner that is no finite number of single precision: left out
+    std::size_t faces_too_tangled = 0;     ///< that were not cut within reason: left out
     std::string first_left_out;       ///< where the first such face stands in the file, as "line 7"; empty: not known
     std::size_t lost_attributes = 0;  ///< corners whose texture coordinate or normal does not exist, used without it
 
-    enum class Verdict { good, few_corners, out_of_range, not_finite };
-    /// Adds a face of any number of corners. Throws InputError for polygons that are too large to be cut.
+    enum class Verdict { good, few_corners, out_of_range, not_finite, too_tangled };
+    /// Adds a face of any number of corners.
     Verdict add_face(std::span<const FaceCorner> corners, std::uint32_t material);
 
   private:
@@ -58,11 +59,15 @@ struct LoadedMesh {
     std::vector<std::string> remarks;     ///< sentences a user should see; none of them stops anything
 };
 
-/// Makes a mesh of parts: metres, single precision, one index for corners that agree in everything. Triangles without
-/// area are left out; a closed surface that is inside out is turned round, an open one when most of its own normals ask
-/// for it; missing normals are computed. Each repair is a remark. `said_unit_mm` is what the file itself tells of its
-/// unit, or 0.
-/// Throws InputError when nothing remains to be shown or the unit makes coordinates too large.
+/// Makes a mesh of parts: metres, single precision, one index for corners that agree in everything. Where the mesh
+/// stands further from the origin of its file than sixteen times its longest side, the middle of its box, strays left
+/// aside, is taken off in double before anything is rounded (TriangleMesh::origin). Triangles without area are left
+/// out; a closed surface that is inside out is turned round, an open one when most of its own normals ask for it;
+/// missing normals are computed. Each repair is a remark. `said_unit_mm` is what the file itself tells of its unit, or
+/// 0. Throws InputError when nothing remains to be shown or the unit makes coordinates too large.
 LoadedMesh make_mesh(const MeshParts& parts, const MeshSource& source, double said_unit_mm);
+
+/// The same mesh with another length of the file's unit.
+void set_unit(LoadedMesh& loaded, UnitLength unit);
 
 }  // namespace bruma::scene

@@ -8,9 +8,9 @@
 namespace bruma::scene {
 
 /// Cuts a polygon, convex or not, into triangles that keep its orientation: always corners - 2 of them, as indices
-/// of corners, appended to `into`. It is judged in the plane of its vector area (Newell's method). Convex polygons take
-/// linear time, others corners times reflex corners; polygons that cross themselves get some cut. Throws InputError for
-/// a non-convex polygon of more than 8192 corners.
-void triangulate(std::span<const glm::dvec3> corners, std::vector<std::array<std::uint32_t, 3>>& into);
+/// of corners, appended to `into`. It is judged in the plane of its vector area (Newell's method). Time grows little
+/// faster than the number of corners; polygons that cross themselves get some cut. Returns false, with `into` as it
+/// was, for one of very many corners that crosses itself so often that this would take minutes.
+bool triangulate(std::span<const glm::dvec3> corners, std::vector<std::array<std::uint32_t, 3>>& into);
 
 }  // namespace bruma::scene

@@ -45,11 +45,16 @@ std::string_view next_word(std::string_view& text) {
 
 UnitLength proposed_unit(double longest_side) {
     if (!(longest_side > 0.0) || !std::isfinite(longest_side)) {
-        return {1.0, "the default"};
+        return {1.0, "the default", true};
+    }
+    if (longest_side >= 9.5 && longest_side <= 2100.0) {
+        return {1.0,
+                fmt::format("proposed: plausible as millimetres, the longest side is then {:.4g} mm", longest_side),
+                true};
     }
     const double exponent = std::clamp(std::round(2.0 - std::log10(longest_side)), -12.0, 12.0);
     const double millimetres = std::pow(10.0, exponent);
-    return {millimetres, fmt::format("proposed: the longest side is then {:.3g} mm", millimetres * longest_side)};
+    return {millimetres, fmt::format("proposed: the longest side is then {:.3g} mm", millimetres * longest_side), true};
 }
 
 double commented_unit_mm(std::string_view head) {

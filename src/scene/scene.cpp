@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
-#include <set>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "base/error.h"
 #include "base/nearest_name.h"
@@ -17,26 +18,58 @@ bool all_finite(glm::dvec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-void check_parents(const Scene& scene) {
-    std::vector<std::string> known;
+/// Null at the top, and where a name is none of a node.
+const Node* parent_of(const Scene& scene, const Node& node) {
+    const auto found = node.parent.empty() ? scene.nodes.end() : scene.nodes.find(node.parent);
+    return found == scene.nodes.end() ? nullptr : &found->second;
+}
+
+/// A value of each node that follows from its parent's; `world` stands above the topmost. Each node is visited once,
+/// without recursion, however long the chains of parents are.
+template <class Value, class Combine>
+std::unordered_map<const Node*, Value> from_parents(const Scene& scene, const Value& world, Combine&& combine) {
+    std::unordered_map<const Node*, Value> known;
+    std::vector<const Node*> way;
     for (const auto& [name, node] : scene.nodes) {
-        known.push_back(name);
+        const Node* at = &node;
+        for (; at != nullptr && !known.contains(at); at = parent_of(scene, *at)) {
+            way.push_back(at);
+        }
+        Value value = at != nullptr ? known.at(at) : world;
+        for (; !way.empty(); way.pop_back()) {
+            value = combine(value, *way.back());
+            known.emplace(way.back(), value);
+        }
     }
+    return known;
+}
+
+void check_parents(const Scene& scene) {
+    std::unordered_set<const Node*> good;
     for (const auto& [name, node] : scene.nodes) {
-        std::set<std::string> seen{name};
-        for (const Node* at = &node; !at->parent.empty();) {
-            const auto parent = scene.nodes.find(at->parent);
-            if (parent == scene.nodes.end()) {
+        std::unordered_set<const Node*> way;
+        for (const Node* at = &node; !good.contains(at);) {
+            way.insert(at);
+            if (at->parent.empty()) {
+                break;
+            }
+            const Node* const parent = parent_of(scene, *at);
+            if (parent == nullptr) {
+                std::vector<std::string> known;
+                for (const auto& entry : scene.nodes) {
+                    known.push_back(entry.first);
+                }
                 throw InputError(fmt::format("nodes.{}: its parent '{}' does not exist{}", name, at->parent,
                                              suggestion(at->parent, known)));
             }
-            if (!seen.insert(at->parent).second) {
+            if (way.contains(parent)) {
                 throw InputError(
                     fmt::format("nodes.{}: its parents form a circle through '{}'; let one of them have no parent",
                                 name, at->parent));
             }
-            at = &parent->second;
+            at = parent;
         }
+        good.insert(way.begin(), way.end());
     }
 }
 
@@ -77,9 +110,11 @@ void check_mesh(const std::string& name, const Mesh& mesh) {
 
 template <class Content>
 std::vector<std::string> shown_nodes_with(const Scene& scene) {
+    const auto shown = from_parents(
+        scene, true, [](bool parent_is_shown, const Node& node) { return parent_is_shown && node.visible; });
     std::vector<std::string> names;
     for (const auto& [name, node] : scene.nodes) {
-        if (std::holds_alternative<Content>(node.content) && is_shown(scene, name)) {
+        if (std::holds_alternative<Content>(node.content) && shown.at(&node)) {
             names.push_back(name);
         }
     }
@@ -99,7 +134,11 @@ glm::dmat4 parent_from_model(const Transform& transform) {
 
 glm::dmat4 world_from_model(const Scene& scene, const std::string& node_name) {
     glm::dmat4 m(1.0);
-    for (const Node* node = &scene.nodes.at(node_name);; node = &scene.nodes.at(node->parent)) {
+    const Node& first = scene.nodes.at(node_name);
+    if (const auto* mesh = std::get_if<Mesh>(&first.content); mesh != nullptr && *mesh->triangles) {
+        m[3] = glm::dvec4(shift_of(*mesh), 1.0);
+    }
+    for (const Node* node = &first;; node = &scene.nodes.at(node->parent)) {
         m = parent_from_model(*node->transform) * m;
         if (node->parent.empty()) {
             return m;
@@ -145,8 +184,11 @@ void check(const Scene& scene) {
             check(*clouds->layer, "nodes." + name);
         }
     }
+    const auto linear = from_parents(scene, glm::dmat3(1.0), [](const glm::dmat3& parent, const Node& node) {
+        return parent * glm::dmat3(parent_from_model(*node.transform));
+    });
     for (const auto& [name, node] : scene.nodes) {
-        const double volume = glm::determinant(glm::dmat3(world_from_model(scene, name)));
+        const double volume = glm::determinant(linear.at(&node));
         if (!std::isfinite(volume) || volume == 0.0) {
             throw InputError(
                 fmt::format("nodes.{}: with its parents it is scaled to {:g} times its volume, which cannot be undone; "

@@ -60,6 +60,21 @@ struct Outdoors {
     Tracked<Atmosphere> atmosphere;
 };
 
+/// How files that are added find their place.
+struct Placement {
+    bool common_coordinates = false;  ///< where their own coordinates say, and not side by side
+    bool operator==(const Placement&) const = default;
+};
+
+template <class Self, class Visitor>
+requires std::same_as<std::remove_const_t<Self>, Placement>
+void visit_fields(Self& placement, Visitor&& visit) {
+    visit(Field{.name = "common_coordinates",
+                .sentence = "files that are added stand where their own coordinates say: neither side by side nor set "
+                            "upright, in one unit, volumes with their first sample at 0"},
+          placement.common_coordinates);
+}
+
 /// All that a picture depends on. Plain data; no GL and no files.
 struct Scene {
     /// Unset until someone chooses: the scene is then framed by `fit_camera`.
@@ -71,11 +86,13 @@ struct Scene {
     Tracked<RenderSettings> rendering;
     Tracked<Display> display;
     Tracked<Timeline> time;
+    Tracked<Placement> placement;
     std::map<std::string, Tracked<Light>> lights;
     std::map<std::string, Node> nodes;
 };
 
-/// World from the node's model space through all its parents. The scene must have passed `check`.
+/// World from the node's model space through all its parents; of a mesh from that of its triangles, wherever the
+/// coordinates of its file stand. The scene must have passed `check`. Takes time with the number of parents.
 glm::dmat4 world_from_model(const Scene& scene, const std::string& node_name);
 
 /// World from texture space [0,1]^3 of a volume node.

@@ -109,6 +109,10 @@ TEST(MeshUnit, IsProposedBySizeOrReadFromAComment) {
     EXPECT_EQ(proposed_unit(0.156).millimetres, 1000.0);
     EXPECT_EQ(proposed_unit(2.0).millimetres, 100.0);
     EXPECT_EQ(proposed_unit(80.0).millimetres, 1.0);
+    // Plausible millimetres stay what they are.
+    for (const double side : {10.0, 20.0, 556.0, 1800.0}) {
+        EXPECT_EQ(proposed_unit(side).millimetres, 1.0) << side;
+    }
     for (const double side : {1e-6, 3e-3, 0.3, 7.0, 12345.0, 1e6}) {
         const double longest_mm = proposed_unit(side).millimetres * side;
         EXPECT_GE(longest_mm, 31.6) << side;

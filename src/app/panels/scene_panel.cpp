@@ -3,6 +3,9 @@
 #include <fmt/core.h>
 #include <imgui/imgui.h>
 
+#include <algorithm>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "app/panels/clouds_panel.h"
@@ -30,33 +33,44 @@ std::string kind_words(const scene::Node& node) {
     return "group";
 }
 
-std::vector<std::string> children_of(const scene::Scene& scene, const std::string& parent) {
-    std::vector<std::string> names;
-    for (const auto& [name, node] : scene.nodes) {
-        if (node.parent == parent) {
-            names.push_back(name);
-        }
+void show_row(PanelContext& context, const std::string& name, int depth) {
+    scene::Node& node = context.scene.nodes.at(name);
+    ImGui::PushID(name.c_str());
+    ImGui::Checkbox("##visible", &node.visible);
+    context.places.note_last("visible-" + name);
+    tooltip("whether it and what hangs on it are shown");
+    ImGui::SameLine(0.0F, 8.0F + 14.0F * float(depth));
+    if (ImGui::Selectable(name.c_str(), context.selected == name, ImGuiSelectableFlags_AllowItemOverlap)) {
+        context.selected = name;
     }
-    return names;
+    context.places.note_last("node-" + name);
+    const std::string words = kind_words(node);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(words.c_str()).x);
+    ImGui::TextDisabled("%s", words.c_str());
+    ImGui::PopID();
 }
 
-void show_branch(PanelContext& context, const std::string& parent, int depth) {
-    for (const std::string& name : children_of(context.scene, parent)) {
-        scene::Node& node = context.scene.nodes.at(name);
-        ImGui::PushID(name.c_str());
-        ImGui::Checkbox("##visible", &node.visible);
-        context.places.note_last("visible-" + name);
-        tooltip("whether it and what hangs on it are shown");
-        ImGui::SameLine(0.0F, 8.0F + 14.0F * float(depth));
-        if (ImGui::Selectable(name.c_str(), context.selected == name, ImGuiSelectableFlags_AllowItemOverlap)) {
-            context.selected = name;
+/// All nodes below their parents. Without recursion: chains of parents may be of any length.
+void show_tree(PanelContext& context) {
+    constexpr int deepest_indent = 8;
+    std::map<std::string, std::vector<std::string>> children;
+    for (const auto& [name, node] : context.scene.nodes) {
+        children[node.parent].push_back(name);
+    }
+    std::vector<std::pair<std::string, int>> waiting;
+    const auto wait_for_children_of = [&](const std::string& parent, int depth) {
+        if (const auto found = children.find(parent); found != children.end()) {
+            for (auto child = found->second.rbegin(); child != found->second.rend(); ++child) {
+                waiting.emplace_back(*child, depth);
+            }
         }
-        context.places.note_last("node-" + name);
-        const std::string words = kind_words(node);
-        ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(words.c_str()).x);
-        ImGui::TextDisabled("%s", words.c_str());
-        ImGui::PopID();
-        show_branch(context, name, depth + 1);
+    };
+    wait_for_children_of("", 0);
+    while (!waiting.empty()) {
+        const auto [name, depth] = std::move(waiting.back());
+        waiting.pop_back();
+        show_row(context, name, std::min(depth, deepest_indent));
+        wait_for_children_of(name, depth + 1);
     }
 }
 
@@ -169,7 +183,7 @@ void show_nodes(PanelContext& context) {
         ImGui::TextDisabled("Nothing here yet. Drop a file on the window,\nor open one with Ctrl+O.");
         return;
     }
-    show_branch(context, "", 0);
+    show_tree(context);
 }
 
 void show_selected_node(PanelContext& context) {

@@ -59,6 +59,7 @@ Verb declare_describe_parameters(CLI::App&) {
         print_part<scene::Atmosphere>("Air", "atmosphere.");
         print_part<scene::Environment>("Environment", "environment.");
         print_part<scene::Timeline>("Time", "time.");
+        print_part<scene::Placement>("Files that are added", "placement.");
         print_part<scene::Light>("Lights", "lights.NAME.");
         print_part<scene::Transform>("Nodes", "nodes.NAME.transform.");
         print_part<scene::VolumeOptics>("Volumes", "nodes.NAME.");
