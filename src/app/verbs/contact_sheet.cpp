@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "app/exposure.h"
+#include "app/nothing_seen.h"
 #include "base/error.h"
 
 namespace bruma::app {
@@ -40,6 +41,7 @@ io::Picture8 draw_sheet(const ContactSheet& sheet, const SceneArguments& argumen
     whole.rgba.resize(stride * std::size_t(whole.height));
     render::Renderer renderer(shaders);
     render::Presenter presenter(shaders);
+    NothingSeen nothing_seen(shaders);
     for (std::size_t row = 0; row < sheet.down.size(); ++row) {
         for (std::size_t column = 0; column < sheet.across.size(); ++column) {
             SceneArguments one = arguments;
@@ -48,6 +50,7 @@ io::Picture8 draw_sheet(const ContactSheet& sheet, const SceneArguments& argumen
             }
             scene::Scene scene = open_scene(one);
             renderer.render(scene, {tile, 1.0});
+            nothing_seen.look_at(scene, renderer.picture());
             if (const auto ev = sheet.auto_exposure ? suitable_exposure_ev(renderer.read_picture()) : std::nullopt) {
                 scene.display.edit([&](scene::Display& display) { display.exposure_ev = *ev; });
             }
@@ -58,6 +61,7 @@ io::Picture8 draw_sheet(const ContactSheet& sheet, const SceneArguments& argumen
             }
         }
     }
+    nothing_seen.say();
     return whole;
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/exposure.h"
 #include "app/frame_statistics.h"
+#include "app/nothing_seen.h"
 #include "app/scene_arguments.h"
 #include "app/sibling.h"
 #include "app/verbs/contact_sheet.h"
@@ -105,13 +106,16 @@ void write(const std::string& output, const render::Renderer& renderer, render::
 
 /// Pictures one by one, `frame_rate` to the second from the scene's moment on. What they share is kept between them.
 void write_frames(const FrameRange& range, const std::string& output, scene::Scene& scene, const render::View& view,
-                  render::Renderer& renderer, render::Presenter& presenter) {
+                  render::Renderer& renderer, render::Presenter& presenter, gl::ShaderLibrary& shaders) {
     const scene::Timeline timeline = *scene.time;
+    NothingSeen nothing_seen(shaders);
     for (int frame = range.first; frame <= range.last; ++frame) {
         scene.time.edit([&](scene::Timeline& moved) { moved.now_s = timeline.now_s + frame / timeline.frame_rate; });
         renderer.render(scene, view);
         write(numbered(output, frame), renderer, presenter, scene);
+        nothing_seen.look_at(scene, renderer.picture());
     }
+    nothing_seen.say();
 }
 
 /// What --across and --down ask for; nothing without them.
@@ -170,7 +174,7 @@ int render(const RenderArguments& arguments, const std::vector<std::string>& com
     render::Presenter presenter(shaders);
     const render::View view{pixels, 1.0, arguments.paths};
     if (frames) {
-        write_frames(*frames, arguments.output, scene, view, renderer, presenter);
+        write_frames(*frames, arguments.output, scene, view, renderer, presenter, shaders);
         return int(ExitCode::done);
     }
     const render::RunReport& report = renderer.render(scene, view, arguments.explain);
@@ -179,6 +183,9 @@ int render(const RenderArguments& arguments, const std::vector<std::string>& com
         expose(scene, renderer.read_picture());
     }
     write(arguments.output, renderer, presenter, scene);
+    NothingSeen nothing_seen(shaders);
+    nothing_seen.look_at(scene, renderer.picture());
+    nothing_seen.say();
     if (arguments.explain) {
         fmt::print(stderr, "{} through {}: {}\n{}", driver.renderer, context->way(), driver.version,
                    explanation(report));
