@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <new>
 
@@ -13,6 +14,7 @@
 #include "base/installation.h"
 #include "base/log.h"
 #include "base/nearest_name.h"
+#include "context/context.h"
 
 namespace bruma::app {
 namespace {
@@ -62,6 +64,14 @@ void check_first_word(const std::vector<std::string>& arguments, const std::vect
     const bool is_verb = std::find(verbs.begin(), verbs.end(), arguments[0]) != verbs.end();
     if (!is_verb && !std::filesystem::exists(arguments[0], error)) {
         throw InputError(fmt::format("{}: neither a verb nor a file{}", arguments[0], suggestion(arguments[0], verbs)));
+    }
+}
+
+/// With BRUMA_STRICT_DRIVER in the environment, as tests have it: throws when the driver told of a fault.
+void require_silent_driver() {
+    const int faults = context::driver_error_count();
+    if (faults > 0 && std::getenv("BRUMA_STRICT_DRIVER") != nullptr) {
+        throw MachineError(fmt::format("the driver told of {} faults, see the messages above", faults));
     }
 }
 
@@ -130,7 +140,9 @@ int run(const std::vector<std::string>& arguments, const Viewer& viewer) {
 
 int run_program(const std::vector<std::string>& arguments, const Viewer& viewer) {
     try {
-        return run(arguments, viewer);
+        const int code = run(arguments, viewer);
+        require_silent_driver();
+        return code;
     } catch (const Error& fault) {
         fmt::print(stderr, "bruma: {}\n", fault.what());
         return int(fault.code());

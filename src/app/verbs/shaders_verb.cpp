@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <regex>
@@ -13,6 +14,8 @@
 #include "app/verbs/verbs.h"
 #include "base/error.h"
 #include "base/installation.h"
+#include "context/context.h"
+#include "gl/program.h"
 #include "gl/shader_source.h"
 #include "io/atomic_file.h"
 
@@ -55,6 +58,44 @@ std::string contents(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// Calls `act` with the file and the switches of every variant of every shader.
+void for_all(const std::function<void(const std::string&, const gl::Defines&)>& act) {
+    for (const auto& entry : std::filesystem::directory_iterator(installed_folder("shaders"))) {
+        if (entry.is_regular_file()) {
+            const std::string file = entry.path().filename().string();
+            for (const gl::Defines& defines : shader_variants(file)) {
+                act(file, defines);
+            }
+        }
+    }
+}
+
+std::string words_of(const std::string& file, const gl::Defines& defines) {
+    std::string words = file;
+    for (const auto& [name, value] : defines) {
+        words.append(" ").append(name).append(value.empty() ? "" : "=").append(value);
+    }
+    return words;
+}
+
+/// Compiles every shader, without linking, and names those of which the driver has something to say.
+int compile_all() {
+    const auto context = context::open_offscreen(context::Kind::automatic);
+    int count = 0;
+    int faulty = 0;
+    for_all([&](const std::string& file, const gl::Defines& defines) {
+        const int before = context::driver_error_count();
+        gl::compile_alone(installed_folder("shaders"), file, defines);
+        ++count;
+        if (context::driver_error_count() != before) {
+            ++faulty;
+            fmt::print("{}\n", words_of(file, defines));
+        }
+    });
+    fmt::print("{} shaders compiled, {} of them with warnings\n", count, faulty);
+    return int(faulty == 0 ? ExitCode::done : ExitCode::answer_is_no);
+}
+
 int expand(const std::string& folder) {
     const std::filesystem::path root = installed_folder("shaders");
     io::require_writable_folder(folder);
@@ -91,10 +132,13 @@ int expand(const std::string& folder) {
 
 Verb declare_shaders(CLI::App& app) {
     auto folder = std::make_shared<std::string>();
-    app.add_option("--expand", *folder,
-                   "folder to write every shader to, includes and switches in place, for validators")
-        ->required();
-    return [folder] { return expand(*folder); };
+    auto compile = std::make_shared<bool>(false);
+    auto* ways = app.add_option_group("way");
+    ways->add_option("--expand", *folder,
+                     "folder to write every shader to, includes and switches in place, for validators");
+    ways->add_flag("--compile", *compile, "compile every shader with this machine's driver; 1 if it warns of any");
+    ways->require_option(1);
+    return [folder, compile] { return *compile ? compile_all() : expand(*folder); };
 }
 
 }  // namespace bruma::app
