@@ -71,7 +71,7 @@ void check_first_word(const std::vector<std::string>& arguments, const std::vect
 void require_silent_driver() {
     const int faults = context::driver_error_count();
     if (faults > 0 && std::getenv("BRUMA_STRICT_DRIVER") != nullptr) {
-        throw MachineError(fmt::format("the driver told of {} faults, see the messages above", faults));
+        throw MachineError(fmt::format("the driver told of faults ({}), see the messages above", faults));
     }
 }
 
