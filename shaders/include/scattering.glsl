@@ -90,7 +90,8 @@ vec3 scattered_source(int m, vec3 color, float weight, float t)
         vec3 by_phase = 0.25 * incident.irradiance * (phase * direct * chromaticity + diffuse);
 #ifdef SURFACES
         Reflected reflected = Reflected(vec3(0.0), vec3(0.0));
-        reflect_light(surfaces[m], incident.toward, incident.irradiance * direct, point.normal, -ray_direction_world,
+        Surface surface = surfaces[m];
+        reflect_light(surface, incident.toward, incident.irradiance * direct, point.normal, -ray_direction_world,
                       point.facing_eye, reflected);
         light += mix(by_phase, reflected.diffuse + 0.25 * incident.irradiance * diffuse, point.shaded);
         reflected_light += point.shaded * reflected.highlight;

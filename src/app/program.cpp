@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <new>
 #include <sstream>
@@ -15,6 +16,7 @@
 #include "base/installation.h"
 #include "base/log.h"
 #include "base/nearest_name.h"
+#include "context/context.h"
 
 namespace bruma::app {
 namespace {
@@ -83,6 +85,14 @@ void refuse_words_before_verb(const CLI::App& app) {
                                          option->get_name() == "files" ? option->results().front() : option->get_name(),
                                          verb));
         }
+    }
+}
+
+/// With BRUMA_STRICT_DRIVER in the environment, as tests have it: throws when the driver told of a fault.
+void require_silent_driver() {
+    const int faults = context::driver_error_count();
+    if (faults > 0 && std::getenv("BRUMA_STRICT_DRIVER") != nullptr) {
+        throw MachineError(fmt::format("the driver told of faults ({}), see the messages above", faults));
     }
 }
 
@@ -164,7 +174,9 @@ int run(const std::vector<std::string>& arguments, const Viewer& viewer) {
 int run_program(const std::vector<std::string>& arguments, const Viewer& viewer) {
     prepare_standard_streams();
     try {
-        return run(arguments, viewer);
+        const int code = run(arguments, viewer);
+        require_silent_driver();
+        return code;
     } catch (const Error& fault) {
         say("bruma: {}\n", fault.what());
         return int(fault.code());

@@ -38,7 +38,10 @@ bool offers(Kind kind);
 /// Called by every way of obtaining a context; throws MachineError.
 void load_entry_points();
 
-/// Error-severity driver messages so far in this process; tests fail when it is not zero.
+/// Driver messages so far in this process that tell of a fault of this program: errors of calls, and warnings about
+/// shaders, such as of variables that are read before they are written. Tests fail when it is not zero.
 int driver_error_count();
+/// Takes that many off the count: a test caused them.
+void forget_driver_errors(int count);
 
 }  // namespace bruma::context

@@ -12,13 +12,25 @@ namespace {
 
 std::atomic<int> error_messages{0};
 
-void GLAPIENTRY on_driver_message(GLenum, GLenum type, GLuint id, GLenum severity, GLsizei, const GLchar* text,
+/// Whether a message tells of a fault of this program. A shader that does not compile is no such fault: whoever
+/// compiled it throws, with the driver's words. What the compiler only warns of is told nowhere else.
+bool tells_fault(GLenum source, GLenum type, GLenum severity, const GLchar* text) {
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER && type == GL_DEBUG_TYPE_ERROR) {
+        return false;
+    }
+    return type == GL_DEBUG_TYPE_ERROR || severity == GL_DEBUG_SEVERITY_HIGH ||
+           std::strstr(text, "uninitialized") != nullptr;
+}
+
+void GLAPIENTRY on_driver_message(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei, const GLchar* text,
                                   const void*) {
+    if (tells_fault(source, type, severity, text)) {
+        ++error_messages;
+    }
     if (severity == GL_DEBUG_SEVERITY_NOTIFICATION) {
         return;
     }
     if (type == GL_DEBUG_TYPE_ERROR) {
-        ++error_messages;
         log_error("OpenGL ({}): {}", id, text);
     } else if (severity == GL_DEBUG_SEVERITY_HIGH) {
         log_warning("OpenGL ({}): {}", id, text);
@@ -78,6 +90,10 @@ DriverInfo driver_info() {
 
 int driver_error_count() {
     return error_messages;
+}
+
+void forget_driver_errors(int count) {
+    error_messages -= count;
 }
 
 }  // namespace bruma::context

@@ -46,6 +46,10 @@ GLuint compile(const std::filesystem::path& root, const std::string& file, const
 
 }  // namespace
 
+void compile_alone(const std::filesystem::path& root, const std::string& file, const Defines& defines) {
+    glDeleteShader(compile(root, file, defines));
+}
+
 Program::Program(const std::filesystem::path& root, std::initializer_list<std::string> files, const Defines& defines)
     : Object(*files.begin()) {
     std::vector<GLuint> shaders;

@@ -9,6 +9,9 @@
 
 namespace bruma::gl {
 
+/// Compiles one shader and throws it away, for what the driver says of it. Throws InputError like Program.
+void compile_alone(const std::filesystem::path& root, const std::string& file, const Defines& defines);
+
 /// A linked program. Uniforms are set by name; a name that the linker dropped because nothing reads it is ignored.
 class Program : public Object<ProgramTraits> {
   public:

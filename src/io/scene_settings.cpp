@@ -114,11 +114,39 @@ std::optional<json> json_if_it_is(const std::string& text, const std::string& na
     }
 }
 
+/// A single number with a decimal comma, as 0,5; with the comma as a point. Nothing for other texts.
+std::optional<std::string> with_decimal_point(const std::string& value) {
+    const std::size_t comma = value.find(',');
+    if (comma == std::string::npos || value.find_first_of(",.", comma + 1) != std::string::npos ||
+        value.find('.') < comma) {
+        return std::nullopt;
+    }
+    std::string number = value;
+    number[comma] = '.';
+    return json::accept(number) ? std::optional(number) : std::nullopt;
+}
+
+/// Whether the comma may as well part thousands, as in 1,000 or 12,500.
+bool may_part_thousands(const std::string& value) {
+    const std::size_t comma = value.find(',');
+    const std::size_t first = value.find_first_of("123456789");
+    const bool three_behind =
+        value.size() == comma + 4 && value.find_first_not_of("0123456789", comma + 1) == std::string::npos;
+    return three_behind && first < comma && comma - first <= 3;
+}
+
 /// JSON where it is JSON, else a word; a place that holds text takes the value as text in any case. Numbers with commas
-/// between them are a vector, as `--spacing` and `--up` take them.
-void assign(json& place, const std::string& value, const std::string& setting) {
+/// between them are a vector, as `--spacing` and `--up` take them; where one number stands, its comma is a decimal one.
+void assign(const Walk& walk, json& place, const std::string& value, const std::string& setting) {
     const std::string name = "--set " + setting.substr(0, setting.find('='));
     std::optional<json> parsed = json_if_it_is(value, name);
+    if (const auto number = with_decimal_point(value); number && place.is_number()) {
+        if (may_part_thousands(value)) {
+            walk.fail(fmt::format("does the comma of {} part thousands or decimals? write {} or {}", value,
+                                  std::string(value).erase(value.find(','), 1), *number));
+        }
+        parsed = json_if_it_is(*number, name);
+    }
     if (!parsed && !place.is_string() && value.find_first_not_of("0123456789.,+-eE ") == std::string::npos) {
         parsed = json_if_it_is("[" + value + "]", name);
     }
@@ -178,7 +206,7 @@ void apply_setting(json& scene_document, std::string_view path_equals_value) {
             walk.fail(fmt::format("there is no {} in the scene to change", first));
         }
         for (json* target : targets) {
-            assign(walk.down(*target, 1), value, std::string(path_equals_value));
+            assign(walk, walk.down(*target, 1), value, std::string(path_equals_value));
         }
         return;
     }
@@ -186,7 +214,7 @@ void apply_setting(json& scene_document, std::string_view path_equals_value) {
     make_if_missing<scene::Sky>(scene_document, first, "sky");
     make_if_missing<scene::Sun>(scene_document, first, "sun");
     make_if_missing<scene::Atmosphere>(scene_document, first, "atmosphere");
-    assign(walk.down(scene_document, 0), value, std::string(path_equals_value));
+    assign(walk, walk.down(scene_document, 0), value, std::string(path_equals_value));
 }
 
 scene::Scene with_sources_set(const scene::Scene& scene, std::span<const std::string> settings,

@@ -29,6 +29,7 @@ gl::ShaderLibrary& Offscreen::shaders() {
 }
 
 void Offscreen::TearDown() {
+    EXPECT_EQ(context::driver_error_count(), 0) << "the driver told of faults, see the messages above";
     library.reset();
     current.reset();
 }

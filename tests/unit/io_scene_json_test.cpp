@@ -206,6 +206,39 @@ TEST(SceneSettings, VectorsMayComeWithoutBrackets) {
     EXPECT_TRUE(contains(refusal([&] { from_json(document, ""); }), "expected an array of 3 numbers"));
 }
 
+TEST(SceneSettings, ADecimalCommaIsAPointWhereOneNumberStands) {
+    json document = to_json(rich_scene());
+    apply_setting(document, "nodes.bonsai.density_scale=0,5");
+    EXPECT_EQ(document["nodes"]["bonsai"]["density_scale"], 0.5);
+    apply_setting(document, "display.exposure=-1,25");
+    EXPECT_EQ(document["display"]["exposure"], -1.25);
+    apply_setting(document, "display.exposure=1,5e-1");
+    EXPECT_EQ(document["display"]["exposure"], 0.15);
+    apply_setting(document, "camera.eye.0=2,5");
+    EXPECT_EQ(document["camera"]["eye"][0], 2.5);
+    // Three numbers are a vector as before, and two a pair.
+    apply_setting(document, "camera.eye=1,2,3");
+    EXPECT_EQ(document["camera"]["eye"], json({1, 2, 3}));
+    apply_setting(document, "nodes.bonsai.transfer_function.window=0,5");
+    EXPECT_EQ(document["nodes"]["bonsai"]["transfer_function"]["window"], json({0, 5}));
+}
+
+TEST(SceneSettings, ACommaThatMayPartThousandsIsAskedAbout) {
+    json document = to_json(rich_scene());
+    for (const char* value : {"1,000", "12,500", "-1,250"}) {
+        try {
+            apply_setting(document, std::string("nodes.bonsai.density_scale=") + value);
+            ADD_FAILURE() << value;
+        } catch (const InputError& fault) {
+            EXPECT_NE(std::string(fault.what()).find("thousands or decimals"), std::string::npos) << fault.what();
+        }
+    }
+    // Nobody parts these.
+    for (const char* value : {"0,125", "1234,567", "0,000"}) {
+        EXPECT_NO_THROW(apply_setting(document, std::string("nodes.bonsai.density_scale=") + value)) << value;
+    }
+}
+
 TEST(SceneSettings, TakeHyphensForUnderscoresInWords) {
     const scene::Scene scene;
     json document = to_json(scene);

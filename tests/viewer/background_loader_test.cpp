@@ -75,6 +75,35 @@ TEST(BackgroundLoader, ASceneTakesThePlaceOfAnother) {
     EXPECT_TRUE(result.replaces);
     ASSERT_TRUE(result.scene) << result.fault;
     EXPECT_FALSE(result.scene->nodes.contains("old"));
+    EXPECT_TRUE(result.added_nodes.empty());
+}
+
+TEST(BackgroundLoader, TellsWhatItAdded) {
+    BackgroundLoader loader;
+    scene::Scene scene;
+    scene.nodes.emplace("old", scene::Node{});
+    loader.start("test", add_files_job(scene, {"builtin:sphere"}, {}), [] {});
+    const BackgroundLoader::Result result = finished(loader);
+    EXPECT_EQ(result.added_nodes, std::vector<std::string>{"sphere"});
+    EXPECT_EQ(result.added_lights, std::vector<std::string>{"headlight"});
+}
+
+TEST(BackgroundLoader, AWholeSceneComesFirstWhereverItStands) {
+    BackgroundLoader loader;
+    loader.start("test", add_files_job({}, {"builtin:sphere", "builtin:demo"}, {}), [] {});
+    const BackgroundLoader::Result result = finished(loader);
+    ASSERT_TRUE(result.scene) << result.fault;
+    EXPECT_TRUE(result.replaces);
+    EXPECT_EQ(result.added_nodes, std::vector<std::string>{"sphere"});
+    EXPECT_GT(result.scene->nodes.size(), 1U);
+}
+
+TEST(BackgroundLoader, RefusesTwoWholeScenes) {
+    BackgroundLoader loader;
+    loader.start("test", add_files_job({}, {"builtin:scattering", "builtin:demo"}, {}), [] {});
+    const BackgroundLoader::Result result = finished(loader);
+    EXPECT_FALSE(result.scene);
+    EXPECT_NE(result.fault.find("builtin:demo: only one whole scene"), std::string::npos) << result.fault;
 }
 
 }  // namespace

@@ -9,6 +9,12 @@
 namespace bruma::app {
 namespace {
 
+SharedHome at_home(const std::string& path) {
+    SharedHome home = std::make_shared<SceneHome>();
+    home->path = path;
+    return home;
+}
+
 TEST(OpacityScale, HeightAndOpacityAreInverses) {
     for (const OpacityScale scale : {OpacityScale::linear, OpacityScale::square_root, OpacityScale::logarithmic}) {
         EXPECT_EQ(height_of_opacity(scale, 0.0), 0.0);
@@ -50,22 +56,23 @@ TEST(History, UndoesAndRedoesAGestureAsOneStep) {
     scene::Scene scene;
     scene.nodes.emplace("a", scene::Node{});
     EditHistory history;
-    history.restart(scene);
+    SharedHome home = std::make_shared<SceneHome>();
+    history.restart(scene, home);
     const auto move_to = [&](double x, bool in_gesture) {
         scene.nodes.at("a").transform.edit([&](scene::Transform& t) { t.translation.x = x; });
-        history.observe(scene, in_gesture);
+        history.observe(scene, home, in_gesture);
     };
     move_to(1.0, true);
     move_to(2.0, true);
     move_to(3.0, false);
     move_to(4.0, false);
-    history.undo(scene);
+    history.undo(scene, home);
     EXPECT_EQ(scene.nodes.at("a").transform->translation.x, 3.0);
-    history.undo(scene);
+    history.undo(scene, home);
     EXPECT_EQ(scene.nodes.at("a").transform->translation.x, 0.0);
     EXPECT_FALSE(history.can_undo());
-    history.redo(scene);
-    history.redo(scene);
+    history.redo(scene, home);
+    history.redo(scene, home);
     EXPECT_EQ(scene.nodes.at("a").transform->translation.x, 4.0);
     EXPECT_FALSE(history.can_redo());
 }
@@ -74,12 +81,13 @@ TEST(History, LeavesTheCameraAlone) {
     scene::Scene scene;
     scene.camera.emplace(scene::Camera{});
     EditHistory history;
-    history.restart(scene);
+    SharedHome home = std::make_shared<SceneHome>();
+    history.restart(scene, home);
     scene.background.edit([](scene::Background& background) { background.top = glm::dvec3(0.5); });
-    history.observe(scene, false);
+    history.observe(scene, home, false);
     scene.camera->edit([](scene::Camera& camera) { camera.eye_world.x = 5.0; });
-    history.observe(scene, false);
-    history.undo(scene);
+    history.observe(scene, home, false);
+    history.undo(scene, home);
     EXPECT_EQ(scene.background->top, glm::dvec3(0.0));
     EXPECT_EQ((*scene.camera)->eye_world.x, 5.0);
 }
@@ -88,11 +96,64 @@ TEST(History, RemovingANodeIsUndone) {
     scene::Scene scene;
     scene.nodes.emplace("a", scene::Node{});
     EditHistory history;
-    history.restart(scene);
+    SharedHome home = std::make_shared<SceneHome>();
+    history.restart(scene, home);
     scene.nodes.clear();
-    history.observe(scene, false);
-    history.undo(scene);
+    history.observe(scene, home, false);
+    history.undo(scene, home);
     EXPECT_TRUE(scene.nodes.contains("a"));
+}
+
+TEST(History, BringsTheFileBackWithTheScene) {
+    scene::Scene scene;
+    scene.camera.emplace(scene::Camera{});
+    scene.nodes.emplace("a", scene::Node{});
+    SharedHome home = at_home("a.json");
+    EditHistory history;
+    history.restart(scene, home);
+    scene.camera->edit([](scene::Camera& camera) { camera.eye_world.x = 2.0; });
+    history.observe(scene, home, false);
+    // Another file is opened, seen from elsewhere.
+    scene.nodes.clear();
+    scene.nodes.emplace("b", scene::Node{});
+    scene.camera->edit([](scene::Camera& camera) { camera.eye_world.x = 7.0; });
+    home = at_home("b.json");
+    history.observe(scene, home, false);
+    history.undo(scene, home);
+    EXPECT_TRUE(scene.nodes.contains("a"));
+    EXPECT_EQ(home->path, "a.json");
+    EXPECT_EQ((*scene.camera)->eye_world.x, 2.0);
+    history.redo(scene, home);
+    EXPECT_TRUE(scene.nodes.contains("b"));
+    EXPECT_EQ(home->path, "b.json");
+    EXPECT_EQ((*scene.camera)->eye_world.x, 7.0);
+}
+
+TEST(History, ANewNameHoldsForAllStepsOfAScene) {
+    scene::Scene scene;
+    SharedHome home = at_home("a.json");
+    EditHistory history;
+    history.restart(scene, home);
+    scene.background.edit([](scene::Background& background) { background.top = glm::dvec3(0.5); });
+    history.observe(scene, home, false);
+    home->path = "other.json";
+    history.undo(scene, home);
+    EXPECT_EQ(home->path, "other.json");
+}
+
+TEST(History, ASceneWhoseFileHoldsAnotherOneIsNotKept) {
+    scene::Scene scene;
+    SharedHome first = at_home("a.json");
+    first->kept = document_stamp(scene);
+    EditHistory history;
+    history.restart(scene, first);
+    scene.nodes.emplace("b", scene::Node{});
+    SharedHome second = at_home("./a.json");
+    history.observe(scene, second, false);
+    second->kept = document_stamp(scene);
+    history.was_saved(*second);
+    EXPECT_TRUE(first->kept.empty());
+    EXPECT_FALSE(second->kept.empty());
 }
 
 }  // namespace

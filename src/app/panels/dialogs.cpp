@@ -11,23 +11,63 @@
 namespace bruma::app {
 
 void Dialogs::ask_path(std::string title, std::string words, std::string path, std::function<void(std::string)> then) {
-    waiting_.push_back({Kind::path, std::move(title), std::move(words), std::move(path), "", std::move(then)});
+    add({Kind::path, std::move(title), std::move(words), std::move(path), "OK", std::move(then), {}});
 }
 
 void Dialogs::tell(std::string title, std::string sentence) {
-    waiting_.push_back({Kind::sentence, std::move(title), std::move(sentence), "", "", {}});
+    add({Kind::sentence, std::move(title), std::move(sentence), "", "OK", {}, {}});
 }
 
 void Dialogs::confirm(std::string title, std::string sentence, std::string agree, std::function<void()> then) {
-    waiting_.push_back({Kind::question, std::move(title), std::move(sentence), "", std::move(agree),
-                        [then = std::move(then)](const std::string&) { then(); }});
+    add({Kind::question,
+         std::move(title),
+         std::move(sentence),
+         "",
+         std::move(agree),
+         [then = std::move(then)](const std::string&) { then(); },
+         {}});
 }
 
-void Dialogs::show(WidgetPlaces& places) {
-    if (waiting_.empty()) {
-        return;
+void Dialogs::ask_about_edits(std::string title, std::string sentence, std::function<void()> save,
+                              std::function<void()> discard) {
+    add({Kind::edits, std::move(title), std::move(sentence), "", "Save",
+         [save = std::move(save)](const std::string&) { save(); }, std::move(discard)});
+}
+
+void Dialogs::add(Dialog dialog) {
+    dialog.number = ++count_;
+    waiting_.push_back(std::move(dialog));
+}
+
+bool Dialogs::holds(const std::string& title) const {
+    return std::any_of(waiting_.begin(), waiting_.end(), [&](const Dialog& dialog) { return dialog.title == title; });
+}
+
+Dialogs::Answer Dialogs::show_buttons(const Dialog& dialog, WidgetPlaces& places) {
+    Answer answer = Answer::none;
+    if (ImGui::Button(dialog.agree.c_str(), {7.0F * ImGui::GetFontSize(), 0.0F})) {
+        answer = Answer::agreed;
     }
-    Dialog& dialog = waiting_.front();
+    places.note_last("dialog-ok");
+    if (dialog.kind == Kind::edits) {
+        ImGui::SameLine();
+        answer = ImGui::Button("Discard") ? Answer::discarded : answer;
+        places.note_last("dialog-discard");
+    }
+    if (dialog.kind != Kind::sentence) {
+        ImGui::SameLine();
+        answer = ImGui::Button("Cancel") ? Answer::closed : answer;
+        places.note_last("dialog-cancel");
+    }
+    // Enter is the answer that loses nothing; a question is agreed with by its button.
+    const bool takes_enter = dialog.kind == Kind::sentence || dialog.kind == Kind::edits;
+    if (takes_enter && !ImGui::IsWindowAppearing() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false)) {
+        answer = Answer::agreed;
+    }
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) ? Answer::closed : answer;
+}
+
+Dialogs::Answer Dialogs::show_dialog(Dialog& dialog, WidgetPlaces& places) {
     const std::string id = dialog.title + "###dialog";
     if (!std::exchange(dialog.shown, true)) {
         ImGui::OpenPopup(id.c_str());
@@ -35,43 +75,47 @@ void Dialogs::show(WidgetPlaces& places) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.5F * screen.x, 0.4F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize({std::min(36.0F * ImGui::GetFontSize(), 0.9F * screen.x), 0.0F});
-    bool answered = false;
-    bool agreed = false;
-    if (ImGui::BeginPopupModal(id.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
-        ImGui::TextWrapped("%s", dialog.words.c_str());
-        ImGui::Spacing();
-        if (dialog.kind == Kind::path) {
-            if (ImGui::IsWindowAppearing()) {
-                ImGui::SetKeyboardFocusHere();
-            }
-            ImGui::SetNextItemWidth(-1.0F);
-            agreed = ImGui::InputText("##path", &dialog.path, ImGuiInputTextFlags_EnterReturnsTrue);
-            places.note_last("dialog-path");
-            ImGui::Spacing();
-        }
-        const char* agree = dialog.kind == Kind::question ? dialog.agree.c_str() : "OK";
-        agreed = ImGui::Button(agree, {7.0F * ImGui::GetFontSize(), 0.0F}) || agreed;
-        places.note_last("dialog-ok");
-        answered = agreed;
-        if (dialog.kind != Kind::sentence) {
-            ImGui::SameLine();
-            answered = ImGui::Button("Cancel") || answered;
-            places.note_last("dialog-cancel");
-        } else if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) && !ImGui::IsWindowAppearing()) {
-            answered = true;
-        }
-        answered = answered || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
-        if (answered) {
-            ImGui::CloseCurrentPopup();
-        }
-        ImGui::EndPopup();
+    if (!ImGui::BeginPopupModal(id.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
+        dialog.shown = false;  // another popup took its place: it is opened again, since it still waits
+        return Answer::none;
     }
-    if (answered) {
-        Dialog done = std::move(waiting_.front());
-        waiting_.pop_front();
-        if (agreed && done.then) {
-            done.then(done.path);
+    ImGui::TextWrapped("%s", dialog.words.c_str());
+    ImGui::Spacing();
+    bool entered = false;
+    if (dialog.kind == Kind::path) {
+        if (ImGui::IsWindowAppearing()) {
+            ImGui::SetKeyboardFocusHere();
         }
+        ImGui::SetNextItemWidth(-1.0F);
+        ImGui::PushID(dialog.number);
+        entered = ImGui::InputText("##path", &dialog.path, ImGuiInputTextFlags_EnterReturnsTrue);
+        places.note_last("dialog-path");
+        ImGui::PopID();
+        ImGui::Spacing();
+    }
+    Answer answer = show_buttons(dialog, places);
+    answer = entered ? Answer::agreed : answer;
+    if (answer != Answer::none) {
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+    return answer;
+}
+
+void Dialogs::show(WidgetPlaces& places) {
+    if (waiting_.empty()) {
+        return;
+    }
+    const Answer answer = show_dialog(waiting_.front(), places);
+    if (answer == Answer::none) {
+        return;
+    }
+    const Dialog done = std::move(waiting_.front());
+    waiting_.pop_front();
+    if (answer == Answer::agreed && done.then) {
+        done.then(done.path);
+    } else if (answer == Answer::discarded && done.discard) {
+        done.discard();
     }
 }
 
@@ -108,7 +152,7 @@ void show_help(bool& open) {
         {"Ctrl + Z, Ctrl + Y", "undo, redo"},
         {"Tab", "panels away, and back"},
         {"H or ?", "this help"},
-        {"Esc, Ctrl + Q", "close a dialog, quit"},
+        {"Esc, Ctrl + Q", "close a dialog, quit (asks about edits that are in no file)"},
         {"", ""},
         {"In the transfer function", "click adds a point, drag moves it"},
         {"Shift + drag", "ten times finer"},

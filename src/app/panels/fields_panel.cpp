@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/panels/number_boxes.h"
 #include "io/picture_file.h"
 
 namespace bruma::app {
@@ -116,6 +117,7 @@ bool edit_value(const Field& field, std::int64_t& value) {
     } else {
         changed = ImGui::InputScalar(label_of(field).c_str(), ImGuiDataType_S64, &value);
     }
+    note_number_box(true);
     tooltip(field.sentence);
     if (changed) {
         value = std::int64_t(std::clamp(double(value), std::max(field.min, -9e18), std::min(field.max, 9e18)));
@@ -216,6 +218,7 @@ bool edit_direction(glm::dvec3& direction) {
 bool edit_value(const Field& field, glm::ivec3& value) {
     narrow();
     const bool changed = ImGui::InputScalarN(label_of(field).c_str(), ImGuiDataType_S32, &value.x, 3);
+    note_number_box(true);
     tooltip(field.sentence);
     if (changed) {
         for (int n = 0; n < 3; ++n) {

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "app/panels/fields_panel.h"
+#include "app/panels/number_boxes.h"
 #include "app/panels/theme.h"
 #include "base/error.h"
 #include "io/raw_layout.h"
@@ -35,7 +37,7 @@ void LayoutDialog::close() {
     file_.clear();
     opened_ = false;
     sliced_ = {};
-    slice_ = {};
+    last_slice_ = std::exchange(slice_, {});
     slice_fault_.clear();
     spacing_mm_ = glm::dvec3(1.0);
 }
@@ -87,6 +89,7 @@ void LayoutDialog::show_proposals(WidgetPlaces& places) {
 void LayoutDialog::show_numbers() {
     ImGui::PushItemWidth(16.0F * ImGui::GetFontSize());
     ImGui::InputInt3("samples along x, y, z", &layout_.size.x);
+    note_number_box(true);
     layout_.size = glm::clamp(layout_.size, glm::ivec3(1), glm::ivec3(1 << 16));
     const auto menu = [](const char* label, auto& value) {
         using Enum = std::remove_reference_t<decltype(value)>;
@@ -103,8 +106,10 @@ void LayoutDialog::show_numbers() {
     menu("type of a sample", layout_.type);
     menu("byte order", layout_.endian);
     ImGui::InputScalar("bytes before the first", ImGuiDataType_S64, &layout_.offset);
+    note_number_box(true);
     layout_.offset = std::clamp<std::int64_t>(layout_.offset, 0, file_bytes_);
     ImGui::InputScalarN("mm between samples", ImGuiDataType_Double, &spacing_mm_.x, 3, nullptr, nullptr, "%.4g");
+    note_number_box(false);
     spacing_mm_ = glm::clamp(spacing_mm_, glm::dvec3(1e-9), glm::dvec3(1e9));
     ImGui::PopItemWidth();
 }
@@ -159,6 +164,7 @@ LayoutDialog::Answer LayoutDialog::show(WidgetPlaces& places) {
     ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
     Answer answer = Answer::none;
     if (!ImGui::BeginPopupModal(id, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove)) {
+        opened_ = false;  // another popup took its place: it is opened again, since it still waits
         return answer;
     }
     ImGui::Text("%s has no header that says so (%lld bytes).", std::filesystem::path(file_).filename().c_str(),

@@ -41,6 +41,7 @@ class LayoutDialog {
     io::RawProposal sliced_;  ///< the layout that the slice shows
     std::string slice_fault_;
     gl::Texture slice_;
+    gl::Texture last_slice_;  ///< of a dialog that was closed: its last frame is drawn after the answer
 };
 
 /// The middle slice along z of a headerless file, as grey values from the slice's smallest to its largest value, one

@@ -32,8 +32,7 @@ struct ViewerFacts {
     int frames = 0, renders = 0;
     render::RunReport passes;
     std::optional<render::SampleTotals> samples;  ///< when someone asked
-    std::string scene_path;
-    std::vector<io::Preset> presets;  ///< of transfer functions
+    std::vector<io::Preset> presets;              ///< of transfer functions
     bool can_undo = false, can_redo = false;
     bool playing = false;  ///< time runs
 };

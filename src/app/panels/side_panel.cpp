@@ -67,7 +67,9 @@ void show_sections(PanelContext& context, TransferFunctionPanel& transfer_functi
         show_surroundings(context);
     }
     if (section(context, "Rendering", false)) {
-        edit_tracked(context.scene.rendering);
+        edit_tracked(
+            context.scene.rendering, [](const Field&) { return true; },
+            [&](const Field& field) { context.places.note_last("rendering-" + std::string(field.name)); });
     }
     if (section(context, "Statistics", false)) {
         show_statistics(context);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/panels/fields_panel.h"
+#include "app/panels/number_boxes.h"
 #include "app/panels/theme.h"
 
 namespace bruma::app {
@@ -342,12 +343,14 @@ void TransferFunctionEditor::edit_numbers(scene::TransferFunction& tf, WidgetPla
         if (ImGui::InputDouble("##position", &position, 0.0, 0.0, "at %.6g")) {
             point.position = clamped(position, between_neighbours(tf.opacity, point_, tf.domain));
         }
+        note_number_box(false);
         tooltip("position of the selected point in the transfer function's domain");
         ImGui::SameLine();
         ImGui::SetNextItemWidth(half);
         if (ImGui::InputDouble("##opacity", &opacity, 0.0, 0.0, "opacity %.6g")) {
             point.opacity = std::clamp(opacity, 0.0, 1.0);
         }
+        note_number_box(false);
         places.note_last("tf-point-opacity");
         tooltip("share of the light lost over the reference length");
     } else if (color_ >= 0) {
@@ -357,6 +360,7 @@ void TransferFunctionEditor::edit_numbers(scene::TransferFunction& tf, WidgetPla
         if (ImGui::InputDouble("##position", &position, 0.0, 0.0, "at %.6g")) {
             point.position = clamped(position, between_neighbours(tf.color, color_, tf.domain));
         }
+        note_number_box(false);
         ImGui::SameLine();
         ImGui::SetNextItemWidth(1.3F * half);
         edit_color("##color", point.color);

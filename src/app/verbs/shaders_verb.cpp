@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <regex>
@@ -16,6 +17,8 @@
 #include "base/console.h"
 #include "base/error.h"
 #include "base/installation.h"
+#include "context/context.h"
+#include "gl/program.h"
 #include "gl/shader_source.h"
 #include "io/atomic_file.h"
 #include "io/input_file.h"
@@ -66,6 +69,44 @@ struct ExpandedShader {
     std::string text;
 };
 
+/// Calls `act` with the file and the switches of every variant of every shader.
+void for_all(const std::function<void(const std::string&, const gl::Defines&)>& act) {
+    for (const auto& entry : std::filesystem::directory_iterator(installed_folder("shaders"))) {
+        if (entry.is_regular_file()) {
+            const std::string file = entry.path().filename().string();
+            for (const gl::Defines& defines : shader_variants(file)) {
+                act(file, defines);
+            }
+        }
+    }
+}
+
+std::string words_of(const std::string& file, const gl::Defines& defines) {
+    std::string words = file;
+    for (const auto& [name, value] : defines) {
+        words.append(" ").append(name).append(value.empty() ? "" : "=").append(value);
+    }
+    return words;
+}
+
+/// Compiles every shader, without linking, and names those of which the driver has something to say.
+int compile_all() {
+    const auto context = context::open_offscreen(context::Kind::automatic);
+    int count = 0;
+    int faulty = 0;
+    for_all([&](const std::string& file, const gl::Defines& defines) {
+        const int before = context::driver_error_count();
+        gl::compile_alone(installed_folder("shaders"), file, defines);
+        ++count;
+        if (context::driver_error_count() != before) {
+            ++faulty;
+            answer("{}\n", words_of(file, defines));
+        }
+    });
+    answer("{} shaders compiled, {} of them with warnings\n", count, faulty);
+    return int(faulty == 0 ? ExitCode::done : ExitCode::answer_is_no);
+}
+
 int expand(const std::string& folder, bool force) {
     const std::filesystem::path root = installed_folder("shaders");
     io::require_writable_folder(folder);
@@ -109,12 +150,15 @@ int expand(const std::string& folder, bool force) {
 
 Verb declare_shaders(CLI::App& app) {
     auto folder = std::make_shared<std::string>();
+    auto compile = std::make_shared<bool>(false);
     auto force = std::make_shared<bool>(false);
-    app.add_option("--expand", *folder,
-                   "folder to write every shader to, includes and switches in place, for validators")
-        ->required();
+    auto* ways = app.add_option_group("way");
+    ways->add_option("--expand", *folder,
+                     "folder to write every shader to, includes and switches in place, for validators");
+    ways->add_flag("--compile", *compile, "compile every shader with this machine's driver; 1 if it warns of any");
+    ways->require_option(1);
     declare_force(app, *force);
-    return [folder, force] { return expand(*folder, *force); };
+    return [folder, compile, force] { return *compile ? compile_all() : expand(*folder, *force); };
 }
 
 }  // namespace bruma::app

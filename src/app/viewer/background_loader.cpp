@@ -1,5 +1,7 @@
 #include "app/viewer/background_loader.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <new>
@@ -16,6 +18,24 @@ namespace bruma::app {
 namespace {
 
 struct Cancelled {};
+
+std::string lower_ending(const std::string& file) {
+    std::string ending = std::filesystem::path(file).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
+template <class Map>
+std::vector<std::string> names_beyond(const Map& all, const Map& before) {
+    std::vector<std::string> names;
+    for (const auto& [name, part] : all) {
+        if (!before.contains(name)) {
+            names.push_back(name);
+        }
+    }
+    return names;
+}
 
 }  // namespace
 
@@ -80,18 +100,17 @@ bool is_whole_scene(const std::string& file) {
         const std::vector<std::string> names = scene::builtin_scene_names();
         return std::find(names.begin(), names.end(), io::builtin_name(file)) != names.end();
     }
-    std::string ending = std::filesystem::path(file).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending == ".json";
+    return lower_ending(file) == ".json";
 }
 
 BackgroundLoader::Job add_files_job(scene::Scene scene, std::vector<std::string> files, scene::VolumeSource hints,
                                     std::vector<std::string> settings) {
+    std::stable_partition(files.begin(), files.end(), is_whole_scene);
     return [scene = std::move(scene), files = std::move(files), hints = std::move(hints),
             settings = std::move(settings)](const io::Progress& progress) mutable {
         BackgroundLoader::Result result;
         const std::vector<scene::VolumeSource> own_hints = io::hints_for_each(files, hints);
+        scene::Scene before = scene;
         for (std::size_t n = 0; n < files.size(); ++n) {
             const auto part = [&](double share, std::string_view what) {
                 progress((double(n) + share) / double(files.size()), what);
@@ -104,11 +123,19 @@ BackgroundLoader::Job add_files_job(scene::Scene scene, std::vector<std::string>
                 continue;
             }
             if (is_whole_scene(files[n])) {
+                if (result.replaces) {
+                    throw InputError(
+                        fmt::format("{}: only one whole scene can be opened at a time; open it alone", files[n]));
+                }
                 scene = {};
                 result.replaces = true;
+                result.scene_file = io::is_builtin(files[n]) ? "" : files[n];
             }
             io::add_file(scene, files[n], own_hints[n], part, preset_folders(), settings);
+            before = is_whole_scene(files[n]) ? scene : before;
         }
+        result.added_nodes = names_beyond(scene.nodes, before.nodes);
+        result.added_lights = names_beyond(scene.lights, before.lights);
         result.scene = std::move(scene);
         return result;
     };

@@ -24,7 +24,9 @@ class BackgroundLoader {
     /// What a job leaves behind: a scene, or a sentence of why not.
     struct Result {
         std::optional<scene::Scene> scene;
-        bool replaces = false;  ///< the scene stands for itself; otherwise its nodes are to be added
+        bool replaces = false;   ///< the scene stands for itself; otherwise what follows is to be added
+        std::string scene_file;  ///< the .json that replaces; empty for a builtin one
+        std::vector<std::string> added_nodes, added_lights;  ///< beyond the scene that was there or that replaces it
         std::string fault;
         std::vector<UnknownLayout> unknown;  ///< files left out until a person tells how they lie
         bool cancelled = false;
@@ -55,8 +57,9 @@ class BackgroundLoader {
     std::jthread thread_;  ///< last, so that it ends before the rest goes
 };
 
-/// A job that adds `files` to a copy of `scene`. A whole scene (.json or builtin) replaces it. Headerless volumes whose
-/// layout neither `hints` nor the files tell are left for a person to decide. `settings` are those of io::add_file.
+/// A job that adds `files` to a copy of `scene`. A whole scene (.json or builtin), of which there may be one, replaces
+/// it before the others are added, wherever it stands among them. Headerless volumes whose layout neither `hints` nor
+/// the files tell are left for a person to decide. `settings` are those of io::add_file.
 BackgroundLoader::Job add_files_job(scene::Scene scene, std::vector<std::string> files, scene::VolumeSource hints,
                                     std::vector<std::string> settings = {});
 

@@ -21,14 +21,22 @@ struct DriveStep {
 ///     hold NAME, let NAME        key down; key up
 ///     scroll N                   notches of the wheel
 ///     type TEXT
-///     open FILE                  as if dropped on the window
+///     paste TEXT                 Ctrl+V with the text on the clipboard
+///     open FILE, drop FILE...    as if dropped on the window, alone or up to eight at once
+///     close-window               the window's own button
 ///     wait-idle                  until nothing is being read, refined or still to be drawn
 ///     wait [MS]                  for so long; without a number, for the frames that are due
 ///     watch-passes               forgets which passes have run
-///     expect-passes LIST         passes that ran since the last watch-passes or expect-passes, in order: 'a: tables,
-///     march' expect-node NAME           the scene has it expect-no-node NAME        the scene does not have it
+///     expect-passes LIST         what ran since the last watch-passes or expect-passes, in order, with ', ' between
+///     expect-node NAME           the scene has it
+///     expect-no-node NAME        the scene does not have it
+///     expect-nodes N             so many nodes
+///     expect-all-in-view         the picture holds the boxes of all shown nodes
 ///     expect-fault WORDS         the banner over the picture, or a dialog, holds these words
 ///     expect-no-fault            neither is shown
+///     expect-title WORDS         that of the window holds these words
+///     expect-status WORDS        the lines over the picture hold these words; expect-no-status: they do not
+///     expect-closed              the window closes; only 'run' may follow
 ///     expect-frames-idle MS      nothing is drawn for so long
 ///     screenshot FILE.png        the whole window
 ///     picture FILE.png           the refined picture, without panels

@@ -3,10 +3,12 @@
 #include <GL/glew.h>
 #include <GLFW/glfw3.h>
 #include <fmt/core.h>
+#include <imgui/imgui_internal.h>
 
 #include <algorithm>
 #include <cstdlib>
 
+#include "app/viewer/orbit.h"
 #include "base/error.h"
 
 namespace bruma::app {
@@ -67,9 +69,17 @@ bool Driver::step(const DriveStep& step, double now) {
     } else if (word == "scroll") {
         input_.scrolled({0.0, std::atof(step.parts[0].c_str())});
     } else if (word == "type") {
-        for (const char c : step.parts[0]) {
-            input_.typed(static_cast<unsigned char>(c));
-        }
+        type(step.parts[0]);
+    } else if (word == "paste") {
+        ImGui::SetClipboardText(step.parts[0].c_str());
+        input_.key(GLFW_KEY_LEFT_CONTROL, true);
+        input_.key(GLFW_KEY_V, true);
+        input_.key(GLFW_KEY_V, false);
+        input_.key(GLFW_KEY_LEFT_CONTROL, false);
+    } else if (word == "drop") {
+        input_.dropped(step.parts);
+    } else if (word == "close-window") {
+        input_.close_asked();
     } else if (word == "open") {
         input_.dropped({step.parts[0]});
     } else if (word == "wait-idle") {
@@ -84,9 +94,7 @@ bool Driver::step(const DriveStep& step, double now) {
     } else if (word == "picture") {
         workbench_.write_refined_picture(step.parts[0]);
     } else if (word == "run") {
-        if (std::system(step.parts[0].c_str()) != 0) {
-            fail(step, "the command failed");
-        }
+        run(step);
     } else if (word == "quit") {
         next_ = steps_.size();
         return false;
@@ -94,6 +102,33 @@ bool Driver::step(const DriveStep& step, double now) {
         expect(step);
     }
     return true;
+}
+
+void Driver::closed() {
+    const bool expected = next_ < steps_.size() && steps_[next_].word == "expect-closed";
+    for (std::size_t n = next_; n < steps_.size(); ++n) {
+        if (!expected || (n > next_ && steps_[n].word != "run")) {
+            fail(steps_[n], "the window has closed before this");
+        }
+        if (steps_[n].word == "run") {
+            run(steps_[n]);
+        }
+    }
+    next_ = steps_.size();
+}
+
+void Driver::run(const DriveStep& step) const {
+    if (std::system(step.parts[0].c_str()) != 0) {
+        fail(step, "the command failed");
+    }
+}
+
+void Driver::type(const std::string& text) {
+    for (const char* at = text.c_str(); *at != '\0';) {
+        unsigned codepoint = 0;
+        at += std::max(1, ImTextCharFromUtf8(&codepoint, at, nullptr));
+        input_.typed(codepoint);
+    }
 }
 
 void Driver::move(const DriveStep& step) {
@@ -162,7 +197,37 @@ bool Driver::expect_idle(const DriveStep& step, double now) {
     return true;
 }
 
+void Driver::expect_words(const DriveStep& step) const {
+    const std::string shown = step.word == "expect-title" ? workbench_.title() : workbench_.shown_status();
+    if ((shown.find(step.parts[0]) != std::string::npos) == (step.word == "expect-no-status")) {
+        fail(step, "shown is: " + shown);
+    }
+}
+
+void Driver::expect_of_scene(const DriveStep& step) const {
+    const scene::Scene& scene = workbench_.scene();
+    if (step.word == "expect-nodes" && std::to_string(scene.nodes.size()) != step.parts[0]) {
+        fail(step, fmt::format("there are {}", scene.nodes.size()));
+    }
+    const double aspect = double(workbench_.area().x) / std::max(1, workbench_.area().y);
+    if (step.word == "expect-all-in-view" &&
+        !(scene.camera && shows(**scene.camera, scene::world_bounds(scene), aspect))) {
+        fail(step, "some of it is outside");
+    }
+}
+
 void Driver::expect(const DriveStep& step) {
+    if (step.word == "expect-closed") {
+        fail(step, "the window is open");
+    }
+    if (step.word == "expect-title" || step.word == "expect-status" || step.word == "expect-no-status") {
+        expect_words(step);
+        return;
+    }
+    if (step.word == "expect-nodes" || step.word == "expect-all-in-view") {
+        expect_of_scene(step);
+        return;
+    }
     if (step.word == "expect-node" || step.word == "expect-no-node") {
         if (workbench_.scene().nodes.contains(step.parts[0]) != (step.word == "expect-node")) {
             std::string names;

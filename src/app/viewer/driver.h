@@ -14,6 +14,8 @@ class Driver {
 
     /// Called once per turn of the loop, with no frame due. Throws DriveFault when an expectation fails.
     void act(double now);
+    /// The window has closed: the script must expect that next, and may run commands afterwards.
+    void closed();
     bool finished() const { return next_ >= steps_.size(); }
 
     /// The file that the next frame is to be photographed into; once.
@@ -25,6 +27,10 @@ class Driver {
     bool step(const DriveStep& step, double now);
     void move(const DriveStep& step);
     void keys(const DriveStep& step);
+    void type(const std::string& text);
+    void run(const DriveStep& step) const;
+    void expect_of_scene(const DriveStep& step) const;
+    void expect_words(const DriveStep& step) const;
     bool expect_idle(const DriveStep& step, double now);
     void expect(const DriveStep& step);
     bool is_idle() const;

@@ -5,6 +5,10 @@
 #include <imgui/imgui.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
+
+#include "app/panels/number_boxes.h"
 
 namespace bruma::app {
 namespace {
@@ -23,6 +27,10 @@ void Input::listen(bool hands_off) {
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { of(w).disturbed(); });
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { of(w).disturbed(); });
     glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { of(w).disturbed(); });
+    glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
+        glfwSetWindowShouldClose(w, GLFW_FALSE);  // whoever asks about edits decides
+        of(w).close_asked();
+    });
     if (hands_off) {
         return;
     }
@@ -95,6 +103,11 @@ void Input::dropped(std::vector<std::string> paths) {
     disturbed();
 }
 
+void Input::close_asked() {
+    close_asked_ = true;
+    disturbed();
+}
+
 void Input::disturbed() {
     frames_due_ = settling_frames;
 }
@@ -160,7 +173,13 @@ void set_up_imgui_input(context::Window& window) {
     map(ImGuiKey_Y, GLFW_KEY_Y);
     map(ImGuiKey_Z, GLFW_KEY_Z);
     io.ClipboardUserData = window.handle();
-    io.GetClipboardTextFn = [](void* w) { return glfwGetClipboardString(static_cast<GLFWwindow*>(w)); };
+    io.GetClipboardTextFn = [](void* w) -> const char* {
+        static std::string pasted;
+        const char* text = glfwGetClipboardString(static_cast<GLFWwindow*>(w));
+        const std::optional<std::string> taken = text != nullptr ? pasted_number(text) : std::nullopt;
+        pasted = taken.value_or("");
+        return taken ? pasted.c_str() : nullptr;
+    };
     io.SetClipboardTextFn = [](void* w, const char* text) {
         glfwSetClipboardString(static_cast<GLFWwindow*>(w), text);
     };

@@ -27,7 +27,8 @@ class Input {
     void key(int key, bool down);  ///< a GLFW_KEY_*
     void typed(unsigned codepoint);
     void dropped(std::vector<std::string> paths);
-    void disturbed();  ///< anything else that makes the window look different
+    void close_asked();  ///< the window's own button, or the desktop's
+    void disturbed();    ///< anything else that makes the window look different
     void one_frame() { frames_due_ = std::max(frames_due_, 1); }
 
     bool frame_is_due() const { return frames_due_ > 0; }
@@ -36,6 +37,7 @@ class Input {
     bool any_button_down() const;
     bool focused() const;
     std::vector<std::string> take_dropped() { return std::exchange(dropped_, {}); }
+    bool take_close_asked() { return std::exchange(close_asked_, false); }
     glm::dvec2 mouse() const { return mouse_; }
 
   private:
@@ -45,6 +47,7 @@ class Input {
     glm::dvec2 mouse_{-1e9};
     std::array<bool, 3> down_{}, pressed_{};
     std::vector<std::string> dropped_;
+    bool close_asked_ = false;
     std::vector<int> unseen_keys_, released_unseen_, release_next_;
     double last_frame_ = 0.0;
     int frames_due_ = 3;

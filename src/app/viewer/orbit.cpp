@@ -40,6 +40,25 @@ scene::Camera placed(scene::Camera camera, double azimuth, double elevation, dou
 
 }  // namespace
 
+bool shows(const scene::Camera& camera, const scene::Bounds& bounds, double aspect) {
+    const scene::CameraFrame axes = scene::camera_frame(camera);
+    const double slope = std::tan(glm::radians(0.5 * camera.vertical_angle_deg));
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 p(corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
+                           corner & 4 ? bounds.high.z : bounds.low.z);
+        const glm::dvec3 way = p - camera.eye_world;
+        const double depth = -glm::dot(way, axes.back_world);
+        const double half =
+            camera.projection == scene::Projection::perspective ? depth * slope : 0.5 * camera.view_height;
+        const bool inside = depth > camera.near_distance && std::abs(glm::dot(way, axes.up_world)) <= half &&
+                            std::abs(glm::dot(way, axes.right_world)) <= half * aspect;
+        if (!inside) {
+            return false;
+        }
+    }
+    return true;
+}
+
 scene::Camera orbited(scene::Camera camera, double azimuth, double elevation) {
     const PolarFrame frame = polar_frame(camera);
     const double distance = distance_of(camera);

@@ -1,9 +1,12 @@
 #pragma once
 #include <glm/glm.hpp>
 
-#include "scene/camera.h"
+#include "scene/scene.h"
 
 namespace bruma::app {
+
+/// Whether a picture of this aspect ratio holds the whole box, before the camera.
+bool shows(const scene::Camera& camera, const scene::Bounds& bounds, double aspect);
 
 /// How a hand moves a camera. The eye goes around the target on a sphere whose poles are the camera's up axis; it stops
 /// just short of them, so that up never flips. Each function returns the moved camera; the near distance follows the

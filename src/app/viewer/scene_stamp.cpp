@@ -60,6 +60,10 @@ bool same_but_for_view(const SceneStamp& first, const SceneStamp& second) {
 
 SceneStamp document_stamp(const scene::Scene& scene) {
     SceneStamp stamp{scene.display.revision()};
+    const scene::Timeline& time = *scene.time;
+    for (const double part : {time.start_s, time.end_s, time.speed, time.frame_rate, time.loop ? 1.0 : 0.0}) {
+        stamp.push_back(std::hash<double>()(part));
+    }
     append_content(stamp, scene);
     return stamp;
 }

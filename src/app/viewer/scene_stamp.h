@@ -14,7 +14,8 @@ using SceneStamp = std::vector<std::uint64_t>;
 SceneStamp picture_stamp(const scene::Scene& scene);
 /// Whether two of the above differ by camera and time at most.
 bool same_but_for_view(const SceneStamp& first, const SceneStamp& second);
-/// All that a person edits and may want undone: everything but the camera.
+/// All that a person edits and may want undone: everything but the camera and the moment
+/// that is shown.
 SceneStamp document_stamp(const scene::Scene& scene);
 
 }  // namespace bruma::app

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "scene/unseen.h"
 
 namespace bruma::app {
 namespace {
@@ -27,8 +28,18 @@ bool takes_clouds_from_last(const scene::Scene& scene) {
 bool SceneView::update(const scene::Scene& scene, glm::ivec2 area, double now, bool hand_down) {
     hand_down_ = hand_down;
     if (!scene.camera || area.x < 1 || area.y < 1) {
+        why_nothing_is_seen_.clear();
         return false;
     }
+    const bool rendered = bring_up_to_date(scene, area, now);
+    if (rendered && refined_) {
+        why_nothing_is_seen_ =
+            coverage_.covers_any(renderer_.picture()) ? "" : scene::why_nothing_is_seen(scene, view_.pixels);
+    }
+    return rendered;
+}
+
+bool SceneView::bring_up_to_date(const scene::Scene& scene, glm::ivec2 area, double now) {
     SceneStamp stamp = picture_stamp(scene);
     if (stamp != stamp_ || shaders_.revision() != shader_revision_ || area != area_) {
         const bool turned = same_but_for_view(stamp, stamp_) && shaders_.revision() == shader_revision_ &&

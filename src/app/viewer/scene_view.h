@@ -7,6 +7,7 @@
 #include "app/viewer/quality.h"
 #include "app/viewer/scene_stamp.h"
 #include "io/picture_file.h"
+#include "render/picture_coverage.h"
 #include "render/presenter.h"
 #include "render/renderer.h"
 
@@ -20,7 +21,7 @@ class SceneView {
     static constexpr double rest_s = 0.15;
 
     SceneView(gl::ShaderLibrary& shaders, int path_samples)
-        : shaders_(shaders), renderer_(shaders), presenter_(shaders), path_samples_(path_samples) {}
+        : shaders_(shaders), renderer_(shaders), presenter_(shaders), coverage_(shaders), path_samples_(path_samples) {}
 
     /// Brings the picture up to date for `area` pixels; `now` in seconds. While a hand is down, a refinement that would
     /// make it wait waits itself. Returns whether it rendered.
@@ -46,6 +47,8 @@ class SceneView {
 
     /// The sentence of why the last rendering failed; empty when it did not. The picture before it stays.
     const std::string& fault() const { return fault_; }
+    /// Why the refined picture shows nothing of the scene's nodes; empty when it shows something, or nothing is missed.
+    const std::string& why_nothing_is_seen() const { return why_nothing_is_seen_; }
     const render::RunReport& report() const { return report_; }
     double last_ms() const { return last_ms_; }
     double moving_ms() const { return moving_ms_; }
@@ -57,6 +60,7 @@ class SceneView {
     static constexpr double longest_hiccup_ms = 250.0;
     static constexpr double path_budget_ms = 50.0;  ///< between two frames of the window
     bool waits_for_hand() const;
+    bool bring_up_to_date(const scene::Scene& scene, glm::ivec2 area, double now);
     bool render(const scene::Scene& scene, const render::View& view);
     bool refine(const scene::Scene& scene);
     void look_at_paths();
@@ -66,6 +70,8 @@ class SceneView {
     gl::ShaderLibrary& shaders_;
     render::Renderer renderer_;
     render::Presenter presenter_;
+    render::PictureCoverage coverage_;
+    std::string why_nothing_is_seen_;
     QualityController quality_;
     SceneStamp stamp_;
     Revision shader_revision_ = 0;

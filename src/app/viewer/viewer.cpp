@@ -86,7 +86,7 @@ class ViewerLoop {
     }
 
     int run() {
-        while (!glfwWindowShouldClose(window_.handle()) && !workbench_.wants_to_close()) {
+        while (!workbench_.wants_to_close()) {
             if (input_.frame_is_due()) {
                 glfwPollEvents();
             } else {
@@ -102,6 +102,9 @@ class ViewerLoop {
             if (input_.frame_is_due()) {
                 draw();
             }
+        }
+        if (driver_) {
+            driver_->closed();
         }
         return 0;
     }
@@ -124,6 +127,9 @@ class ViewerLoop {
         const bool show_progress = workbench_.is_loading() && now >= drawn_at_ + progress_frame_s;
         if (show_progress || workbench_.next_frame_at().value_or(now + 1.0) <= now) {
             input_.one_frame();
+        }
+        if (input_.take_close_asked()) {
+            workbench_.ask_to_close();
         }
         if (std::vector<std::string> files = input_.take_dropped(); !files.empty()) {
             workbench_.open(std::move(files), {});
@@ -155,6 +161,10 @@ class ViewerLoop {
             }
         }
         glfwSwapBuffers(window_.handle());
+        if (std::string title = workbench_.title(); title != title_) {
+            title_ = std::move(title);
+            glfwSetWindowTitle(window_.handle(), title_.c_str());
+        }
     }
 
     context::Window window_;
@@ -163,6 +173,7 @@ class ViewerLoop {
     gl::ShaderLibrary shaders_;
     Workbench workbench_;
     std::optional<Driver> driver_;
+    std::string title_ = "Bruma";
     double shaders_looked_at_ = 0.0, drawn_at_ = 0.0;
 };
 

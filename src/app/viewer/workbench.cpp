@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/panels/number_boxes.h"
 #include "app/panels/side_panel.h"
 #include "app/panels/statistics_panel.h"
 #include "app/panels/theme.h"
@@ -23,7 +24,8 @@ Workbench::Workbench(const ViewRequest& request, gl::ShaderLibrary& shaders, std
         const std::vector<io::Preset> found = io::list_presets(folder);
         facts_.presets.insert(facts_.presets.end(), found.begin(), found.end());
     }
-    history_.restart(scene_);
+    home_->kept = document_stamp(scene_);
+    history_.restart(scene_, home_);
 }
 
 void Workbench::frame(glm::ivec2 pixels, double now) {
@@ -34,6 +36,9 @@ void Workbench::frame(glm::ivec2 pixels, double now) {
     const ImGuiIO& io = ImGui::GetIO();
     area_ = pixels;
     const scene::Scene before = scene_;
+    if (const std::string refused = take_decimal_commas(); !refused.empty()) {
+        notice(refused);
+    }
     show_panels();
     try {
         scene::check(scene_);
@@ -48,7 +53,7 @@ void Workbench::frame(glm::ivec2 pixels, double now) {
     ask_for_layout();
     obey_keys();
     move_camera();
-    history_.observe(scene_, ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive());
+    history_.observe(scene_, home_, ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive());
 
     if (view_.update(scene_, area_, now, ImGui::IsAnyMouseDown())) {
         facts_.samples.reset();
@@ -63,7 +68,6 @@ void Workbench::frame(glm::ivec2 pixels, double now) {
     facts_.frames = frames_;
     facts_.renders = view_.renders();
     facts_.passes = view_.report();
-    facts_.scene_path = scene_path_;
     facts_.can_undo = history_.can_undo();
     facts_.can_redo = history_.can_redo();
     facts_.playing = playing_;
@@ -133,8 +137,28 @@ void Workbench::show_status() {
         canvas->AddText({at.x + 1.0F, at.y + 1.0F}, IM_COL32(0, 0, 0, 200), words.c_str());
         canvas->AddText(at, IM_COL32(190, 196, 204, 230), words.c_str());
     };
+    const std::string under_cursor = words_under_cursor();
     write(status, 0.0F);
-    write(words_under_cursor(), 1.0F);
+    write(under_cursor, 1.0F);
+    const std::string& nothing_seen = view_.why_nothing_is_seen();
+    show_nothing_seen(nothing_seen);
+    shown_status_ = status + "\n" + under_cursor + "\n" + nothing_seen;
+}
+
+void Workbench::show_nothing_seen(const std::string& why) const {
+    if (why.empty()) {
+        return;
+    }
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    const float em = ImGui::GetFontSize();
+    const ImVec2 middle{0.5F * float(area_.x) / scale.x, 0.4F * float(area_.y) / scale.y};
+    const float width = std::min(34.0F * em, 1.7F * middle.x);
+    const ImVec2 size = ImGui::CalcTextSize(why.c_str(), nullptr, false, width);
+    const ImVec2 low{middle.x - 0.5F * size.x, middle.y - 0.5F * size.y};
+    ImDrawList* canvas = ImGui::GetBackgroundDrawList();
+    canvas->AddRectFilled({low.x - em, low.y - 0.7F * em}, {low.x + size.x + em, low.y + size.y + 0.7F * em},
+                          IM_COL32(16, 18, 22, 225), 5.0F);
+    canvas->AddText(ImGui::GetFont(), em, low, IM_COL32(235, 205, 140, 255), why.c_str(), nullptr, width);
 }
 
 void Workbench::show_over_picture() {

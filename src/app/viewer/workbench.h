@@ -12,6 +12,7 @@
 #include "app/viewer/background_loader.h"
 #include "app/viewer/edit_history.h"
 #include "app/viewer/scene_view.h"
+#include "io/output_guard.h"
 
 namespace bruma::app {
 
@@ -31,12 +32,19 @@ class Workbench {
 
     /// When the next frame is due although nothing happens: a picture to be refined, a notice to be taken away.
     std::optional<double> next_frame_at() const;
+    /// The person wants to leave: asks first what becomes of edits that are in no file.
+    void ask_to_close();
     bool wants_to_close() const { return wants_to_close_; }
+    /// Of the window: the file that saving writes, with a star when the scene is not as it holds it.
+    std::string title() const;
     void write_refined_picture(const std::string& path);
     void set_shader_fault(const std::string& fault) { shader_fault_ = fault; }
 
     /// What the banner or the dialog in front says; empty when neither is there.
     std::string shown_fault() const;
+
+    /// The lines over the lower edge of the picture.
+    const std::string& shown_status() const { return shown_status_; }
 
     const scene::Scene& scene() const { return scene_; }
     SceneView& view() { return view_; }
@@ -50,18 +58,36 @@ class Workbench {
     void play(double elapsed_s);
     void show_over_picture();
     void show_status();
+    void show_nothing_seen(const std::string& why) const;
     std::string words_under_cursor() const;
     void expose();
     void move_camera();
     void obey_keys();
     void obey(const PanelRequests& requests);
     void set_camera(const scene::Camera& camera) { scene_.camera->set(camera); }
+    /// By the viewer, not by a hand.
+    void place(const scene::Camera& camera);
+    double aspect() const { return area_.y > 0 ? double(area_.x) / area_.y : 1.6; }
     bool in_dialog() const { return dialogs_.any() || layout_dialog_.is_open(); }
     void fit();
     void start_loading(std::vector<std::string> files, const scene::VolumeSource& hints);
     void merge(BackgroundLoader::Result result);
+    void take_scene(BackgroundLoader::Result result);
+    void add_nodes(BackgroundLoader::Result result);
+    void select_new(const std::string& newest);
+    void place_first_camera(bool made_by_code);
+    void show_all_unless_moved();
     void ask_for_layout();
-    void save_scene(bool ask);
+    bool has_unsaved_edits() const { return document_stamp(scene_) != home_->kept; }
+    /// Calls `then`, but asks first what becomes of edits that are in no file; `sentence` says what would end them.
+    void settle_edits(const std::string& title, const std::string& sentence, const std::function<void()>& then);
+    /// Saves to the scene's file, or asks for one, and calls `then` when that was done.
+    void save_scene(bool ask, const std::function<void()>& then = {});
+    void write_scene(const std::string& path);
+    /// Calls `write`, but asks first where a file stands at `path` that is not `own`; refuses what the scene was read
+    /// from. Faults become a dialog of the title `fault_title`.
+    void write_after_question(const std::string& path, const std::string& own, io::FileContent content,
+                              const std::string& fault_title, const std::function<void()>& write);
     void take_screenshot();
     void obey_about_transfer_functions(const PanelRequests& requests);
     /// Calls `act`; a fault becomes a dialog.
@@ -72,8 +98,9 @@ class Workbench {
     gl::ShaderLibrary& shaders_;
     std::function<void()> wake_;
     scene::Scene scene_;
-    std::string scene_path_, path_being_read_, selected_;
-    std::optional<scene::Camera> first_camera_;
+    SharedHome home_ = std::make_shared<SceneHome>();
+    SceneStamp stamp_at_loading_;  ///< of the scene when the file being read was asked for
+    std::string selected_;
     SceneView view_;
     BackgroundLoader loader_;
     EditHistory history_;
@@ -86,10 +113,12 @@ class Workbench {
     glm::ivec2 area_{0};
     double now_ = 0.0;
     bool playing_ = false;
-    std::string shader_fault_, notice_;
+    std::string shader_fault_, notice_, shown_status_;
     double notice_until_ = 0.0;
     int frames_ = 0;
-    bool panels_shown_ = true, help_shown_ = false, wants_to_close_ = false, orbiting_ = false, panning_ = false;
+    bool panels_shown_ = true, help_shown_ = false, orbiting_ = false, panning_ = false;
+    bool starting_ = true;  ///< until something was opened
+    bool wants_to_close_ = false;
 };
 
 }  // namespace bruma::app

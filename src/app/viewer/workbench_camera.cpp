@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "app/scene_arguments.h"
 #include "app/viewer/orbit.h"
 #include "app/viewer/workbench.h"
 
@@ -21,11 +22,36 @@ void Workbench::fit() {
         return;
     }
     const scene::Camera old = **scene_.camera;
-    const double aspect = area_.y > 0 ? double(area_.x) / area_.y : 1.0;
     scene::Camera camera =
-        scene::fit_camera(scene::world_bounds(scene_), aspect, scene::camera_frame(old).back_world, old.up_world);
+        scene::fit_camera(scene::world_bounds(scene_), aspect(), scene::camera_frame(old).back_world, old.up_world);
     camera.projection = old.projection;
+    place(camera);
+}
+
+void Workbench::place(const scene::Camera& camera) {
     set_camera(camera);
+    home_->placed_camera = camera;
+}
+
+void Workbench::show_all_unless_moved() {
+    const bool moved = home_->placed_camera != **scene_.camera;
+    if (!home_->has_own_camera) {
+        // The first camera was fitted to what was there; it is fitted again, for the key that goes back to it.
+        scene::Scene all = scene_;
+        all.camera.reset();
+        place_camera(all, aspect(), "", "");
+        home_->first_camera = **all.camera;
+    }
+    if (shows(**scene_.camera, scene::world_bounds(scene_), aspect())) {
+        return;
+    }
+    if (moved) {
+        notice("Not all of it is in view; F shows everything.");
+    } else if (home_->has_own_camera) {
+        fit();
+    } else {
+        place(*home_->first_camera);
+    }
 }
 
 void Workbench::move_camera() {
@@ -79,8 +105,10 @@ void Workbench::obey_keys() {
         requests.save_scene_as = pressed(GLFW_KEY_S) && io.KeyShift;
         requests.undo = pressed(GLFW_KEY_Z) && !io.KeyShift;
         requests.redo = pressed(GLFW_KEY_Y) || (pressed(GLFW_KEY_Z) && io.KeyShift);
-        wants_to_close_ |= pressed(GLFW_KEY_Q);
         obey(requests);
+        if (pressed(GLFW_KEY_Q)) {
+            ask_to_close();
+        }
         return;
     }
     requests.fit = pressed(GLFW_KEY_F);
@@ -95,8 +123,8 @@ void Workbench::obey_keys() {
     if (pressed(GLFW_KEY_O)) {
         set_camera(with_other_projection(**scene_.camera));
     }
-    if (pressed(GLFW_KEY_R) && first_camera_) {
-        set_camera(*first_camera_);
+    if (pressed(GLFW_KEY_R) && home_->first_camera) {
+        place(*home_->first_camera);
     }
     for (int n = 0; n < 6; ++n) {
         if (pressed(GLFW_KEY_1 + n) || pressed(GLFW_KEY_KP_1 + n)) {
