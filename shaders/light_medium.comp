@@ -4,6 +4,10 @@
 
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 4) in;
 
+#ifdef HOLES
+#include "include/absent.glsl"
+#endif
+
 uniform sampler3D voxels;
 uniform sampler1D optics_table;  // x: sigma, yzw: sigma * albedo
 uniform usampler3D emptiness;
@@ -39,6 +43,11 @@ void main()
                 for (int i = 0; i < samples; ++i) {
                     vec3 x = corner + (vec3(i, j, k) + 0.5) / float(samples) * texture_per_cell;
                     float texel = textureLod(voxels, x, 0.0).x;
+#ifdef HOLES
+                    if (is_absent(texel)) {
+                        continue;
+                    }
+#endif
                     sum += textureLod(optics_table, texel * optics_from_voxel.x + optics_from_voxel.y, 0.0);
                 }
             }

@@ -5,7 +5,7 @@ struct Surface {
     float ambient, diffuse, specular, shininess;
     int blinn_phong;
     int two_sided;
-    float soft_from;           // gradient magnitude in data ranges per smallest voxel edge
+    float soft_from;           // gradient magnitude in ranges of shading (scene/volume.h) per smallest voxel edge
     float soft_inverse_width;
 };
 uniform Surface surface_uniforms[VOLUMES];
@@ -52,10 +52,61 @@ struct SurfacePoint {
     float shaded;      // 0: no surface .. 1: all of one
 };
 
+#ifdef GRADIENTS_FROM_VOXELS
+// Texels at three places, each moved along one axis.
+vec3 texels_along_axes(int m, vec3 x, vec3 moved)
+{
+    return vec3(textureLod(voxels[m], vec3(moved.x, x.yz), 0.0).x,
+                textureLod(voxels[m], vec3(x.x, moved.y, x.z), 0.0).x,
+                textureLod(voxels[m], vec3(x.xy, moved.z), 0.0).x);
+}
+
+// Differences per voxel along each axis, in texels: what filtering `gradients` gives, since the mean of neighbouring
+// differences is the difference of neighbouring means.
+vec3 voxel_differences(int m, vec3 x)
+{
+    vec3 edge = 1.0 / constants[m].samples;
+    x = clamp(x, 0.5 * edge, 1.0 - 0.5 * edge);
+    vec3 above = texels_along_axes(m, x, x + edge);
+    vec3 below = texels_along_axes(m, x, x - edge);
+    vec3 apart = vec3(2.0);
+#ifdef HOLES
+    float here = textureLod(voxels[m], x, 0.0).x;
+    for (int k = 0; k < 3; ++k) {
+        if (is_absent(above[k])) {
+            above[k] = here;
+            apart[k] -= 1.0;
+        }
+        if (is_absent(below[k])) {
+            below[k] = here;
+            apart[k] -= 1.0;
+        }
+    }
+#endif
+    vec3 differences = (above - below) / max(apart, vec3(1.0));
+    // Those of the outermost samples are one-sided, twice of what is found there.
+    vec3 from_low = x * constants[m].samples - 0.5;
+    vec3 from_high = constants[m].samples - 1.0 - from_low;
+    vec3 near_low = clamp(1.0 - from_low, 0.0, 1.0);
+    vec3 near_high = clamp(1.0 - from_high, 0.0, 1.0);
+    if (any(greaterThan(near_low + near_high, vec3(0.0)))) {
+        vec3 low = texels_along_axes(m, x, 1.5 * edge) - texels_along_axes(m, x, 0.5 * edge);
+        vec3 high = texels_along_axes(m, x, 1.0 - 0.5 * edge) - texels_along_axes(m, x, 1.0 - 1.5 * edge);
+        vec3 more = 0.5 * (near_low * low + near_high * high);
+        differences += mix(more, vec3(0.0), greaterThan(abs(more), vec3(1e14)));  // beside absent samples there is none
+    }
+    return differences;
+}
+#endif
+
 SurfacePoint surface_at(int m, vec3 x)
 {
     Surface s = surfaces[m];
+#ifdef GRADIENTS_FROM_VOXELS
+    vec3 texel = voxel_differences(m, x);
+#else
     vec3 texel = textureLod(gradients[m], x, 0.0).xyz - constants[m].gradient_zero;
+#endif
     vec3 gradient = constants[m].world_from_gradient * texel;
     float squared_magnitude = dot(gradient, gradient);
     float inverse = inversesqrt(max(squared_magnitude, 1e-30));

@@ -2,6 +2,10 @@
 // Medium space has the world's axes, the volumes' centre for its origin and half their diagonal for its unit; the
 // parameter t of a ray is a length in it, sigma an extinction per such unit.
 
+#ifdef HOLES
+#include "include/absent.glsl"
+#endif
+
 uniform sampler3D voxels[VOLUMES];          // data value, affinely mapped to [0,1]
 uniform sampler1D optics_table[VOLUMES];    // x: sigma per reference length, yzw: albedo; over u in [0,1]
 uniform sampler1D glow_table[VOLUMES];      // own light per unit of extinction (GLOW)
@@ -140,12 +144,26 @@ bool is_inside(int v, float t) { return t >= walks[v].enter && t < walks[v].leav
 float table_coordinate(int v, float t)
 {
     vec3 x = walks[v].origin + t * walks[v].direction;
-    return textureLod(voxels[v], x, 0.0).x * table_from_voxel[v].x + table_from_voxel[v].y;
+    float texel = textureLod(voxels[v], x, 0.0).x;
+#ifdef HOLES
+    if (is_absent(texel)) {
+        return coordinate_of_absent;
+    }
+#endif
+    return texel * table_from_voxel[v].x + table_from_voxel[v].y;
 }
 
 float sigma_of(int v, float t)
 {
+#ifdef HOLES
+    if (!is_inside(v, t)) {
+        return 0.0;
+    }
+    float at = table_coordinate(v, t);
+    return is_absent_coordinate(at) ? 0.0 : textureLod(optics_table[v], at, 0.0).x * sigma_scale[v];
+#else
     return is_inside(v, t) ? textureLod(optics_table[v], table_coordinate(v, t), 0.0).x * sigma_scale[v] : 0.0;
+#endif
 }
 
 float sigma_at(float t)
@@ -171,6 +189,11 @@ bool collides_with(int v, float threshold, inout float sigma, inout Collision c)
         return false;
     }
     float at = table_coordinate(v, c.t);
+#ifdef HOLES
+    if (is_absent_coordinate(at)) {
+        return false;
+    }
+#endif
     vec4 optics = textureLod(optics_table[v], at, 0.0);
     sigma += optics.x * sigma_scale[v];
     if (!(threshold < sigma)) {

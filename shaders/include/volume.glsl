@@ -2,6 +2,10 @@
 // Spaces: texture space of each volume is [0,1]^3; the ray's parameter t counts steps of one world length, the same for
 // all volumes.
 
+#ifdef HOLES
+#include "include/absent.glsl"
+#endif
+
 uniform sampler3D voxels[VOLUMES];         // data value, affinely mapped to [0,1]
 uniform sampler1D optics_table[VOLUMES];   // x: sigma, yzw: sigma * S, per reference length, over u in [0,1]
 uniform sampler1D depth_table[VOLUMES];    // x: K(u) = integral of sigma from 0 to u, y: sigma
@@ -25,8 +29,11 @@ struct VolumeConstants {
     float tau_scale;          // optical depth per step and per unit of sigma in the tables
     vec3 cells_from_texture;  // macrocells along each axis, fractional
     vec3 last_cell;           // indices of the last macrocell along each axis
-    mat3 world_from_gradient; // from gradient texels to world, scaled to data ranges per smallest voxel edge
+    mat3 world_from_gradient; // from gradient texels to world, scaled to ranges of shading per smallest voxel edge
     vec3 gradient_zero;       // texel that means no gradient
+#ifdef GRADIENTS_FROM_VOXELS
+    vec3 samples;             // along each axis
+#endif
 #ifdef SCATTER
     vec2 half_cell;                // along z of the two light grids, as a share of one of them
     vec3 grid_from_texture_scale;  // texture space -> [0,1] over the light grid
@@ -102,7 +109,17 @@ Sample medium_sample(float t)
         float texel = textureLod(voxels[m], x, 0.0).x;
 #ifdef SAMPLE_AT_MIDPOINTS
         s.at[m] = texel * constants[m].optics_from_voxel.x + constants[m].optics_from_voxel.y;
+#ifdef HOLES
+        s.at[m] = is_absent(texel) ? coordinate_of_absent : s.at[m];
+#endif
 #else
+#ifdef HOLES
+        if (is_absent(texel)) {
+            s.u[m] = coordinate_of_absent;
+            s.depth[m] = vec2(0.0);
+            continue;
+        }
+#endif
         float u = texel * constants[m].u_from_voxel.x + constants[m].u_from_voxel.y;
         s.u[m] = u;
         // Beyond the window sigma is constant, so K goes on in a straight line.
@@ -118,6 +135,11 @@ Sample medium_sample(float t)
 float sigma_at(int m, vec3 x)
 {
     float texel = textureLod(voxels[m], x, 0.0).x;
+#ifdef HOLES
+    if (is_absent(texel)) {
+        return 0.0;
+    }
+#endif
 #ifdef SAMPLE_AT_MIDPOINTS
     return textureLod(optics_table[m], texel * constants[m].optics_from_voxel.x + constants[m].optics_from_voxel.y, 0.0).x;
 #else
@@ -174,6 +196,28 @@ void medium_begin()
 }
 #endif
 
+#if defined(HOLES) && !defined(SAMPLE_AT_MIDPOINTS)
+// A segment with one end in a hole is taken for half a segment of what is at the other end.
+float present_share = 1.0;
+bool ends_present(int m, inout Sample front, inout Sample back)
+{
+    bool no_front = is_absent_coordinate(front.u[m]);
+    bool no_back = is_absent_coordinate(back.u[m]);
+    if (no_front && no_back) {
+        return false;
+    }
+    present_share = no_front || no_back ? 0.5 : 1.0;
+    if (no_front) {
+        front.u[m] = back.u[m];
+        front.depth[m] = back.depth[m];
+    } else if (no_back) {
+        back.u[m] = front.u[m];
+        back.depth[m] = front.depth[m];
+    }
+    return true;
+}
+#endif
+
 bool medium_segment(Sample front, Sample back, float t_front, float t_back, out float tau, out vec3 source)
 {
     tau = 0.0;
@@ -197,6 +241,11 @@ bool medium_segment(Sample front, Sample back, float t_front, float t_back, out 
         float part_tau;
         vec3 part_source;
 #ifdef SAMPLE_AT_MIDPOINTS
+#ifdef HOLES
+        if (is_absent_coordinate(front.at[m])) {
+            continue;
+        }
+#endif
         // A comparison is cheaper than a look at the table, and most of what is not leapt over is empty still.
         if (front.at[m] < constants[m].optics_visible.x || front.at[m] > constants[m].optics_visible.y) {
             continue;
@@ -208,6 +257,12 @@ bool medium_segment(Sample front, Sample back, float t_front, float t_back, out 
         part_tau = optics.x * part * constants[m].tau_scale;
         part_source = optics.yzw * (1.0 / optics.x);
 #else
+#ifdef HOLES
+        if (!ends_present(m, front, back)) {
+            continue;
+        }
+        part *= present_share;
+#endif
         // Mean of sigma over the values in between: exactly from K, or by the trapezoid where the difference of two
         // prefixes would lose its digits.
         float du = back.u[m] - front.u[m];
@@ -283,6 +338,12 @@ bool medium_may_show(Sample front, Sample back)
 {
     bool shows = false;
     for (int m = 0; m < VOLUMES; ++m) {
+#ifdef HOLES
+        if (is_absent_coordinate(front.u[m]) != is_absent_coordinate(back.u[m])) {
+            shows = true;  // somewhere in between the hole ends
+            continue;
+        }
+#endif
         // Data that are not straight may leave the range of the two ends.
         float low = min(front.u[m], back.u[m]);
         float high = max(front.u[m], back.u[m]);

@@ -38,14 +38,11 @@ Texture::Texture(GLenum target, std::string_view label, GLenum format, glm::ivec
             break;
     }
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-        const std::string sentence =
-            fmt::format("no room for the texture '{}' of {} x {} x {} ({}); a smaller {} may fit", label, size.x,
-                        size.y, size.z, error == GL_OUT_OF_MEMORY ? "out of memory" : "refused by the driver",
-                        target == GL_TEXTURE_2D_ARRAY ? "map, or fewer of them," : "picture or volume");
-        if (target == GL_TEXTURE_3D || target == GL_TEXTURE_2D_ARRAY) {
-            throw InputError(sentence);  // the user's volume or settings, not the program's own needs
-        }
-        throw MachineError(sentence);
+        // The same input would do on a machine with more room, so it is not the input that is at fault.
+        throw MachineError(fmt::format("no room for the texture '{}' of {} x {} x {} ({}); a smaller {} may fit", label,
+                                       size.x, size.y, size.z,
+                                       error == GL_OUT_OF_MEMORY ? "out of memory" : "refused by the driver",
+                                       target == GL_TEXTURE_2D_ARRAY ? "map, or fewer of them," : "picture or volume"));
     }
     if (target == GL_TEXTURE_2D_MULTISAMPLE) {
         return;  // never filtered

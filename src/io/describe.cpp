@@ -20,13 +20,13 @@ namespace {
 std::string bar_chart(const scene::VolumeGrid& grid) {
     constexpr int bins = 16;
     constexpr double columns = 48.0;
-    const scene::Histogram histogram = scene::histogram(grid, bins);
+    const scene::Histogram histogram = scene::histogram(grid, bins, grid.core);
     const std::uint64_t most =
         std::max<std::uint64_t>(1, *std::max_element(histogram.counts.begin(), histogram.counts.end()));
     std::string text = "histogram (length of a bar: square root of the count)\n";
     for (int bin = 0; bin < bins; ++bin) {
         const std::uint64_t count = histogram.counts[std::size_t(bin)];
-        const double from = grid.smallest + bin * (grid.largest - grid.smallest) / bins;
+        const double from = grid.core[0] + bin * (grid.core[1] - grid.core[0]) / bins;
         // A square root, or the empty space around things would leave nothing else to see.
         const auto length = std::size_t(columns * std::sqrt(double(count) / double(most)) + (count > 0 ? 1.0 : 0.0));
         text += fmt::format("  {:>12.6g} {:>12} {}\n", from, count, std::string(length, '#'));
@@ -35,25 +35,44 @@ std::string bar_chart(const scene::VolumeGrid& grid) {
 }
 
 double mean_value(const scene::VolumeGrid& grid) {
-    return scene::visit_voxels(grid, [](auto samples) {
+    return scene::visit_voxels(grid, [&grid](auto samples) {
         double sum = 0.0;
-        for (const auto sample : samples) {
-            sum += double(sample);
+        for (std::size_t n = 0; n < samples.size(); ++n) {
+            sum += grid.is_absent(n) ? 0.0 : double(samples[n]);
         }
-        return sum / double(samples.size());
+        return sum / double(std::max<std::uint64_t>(1, grid.present_count()));
     });
 }
 
-std::string values_text(const scene::VolumeGrid& grid, std::size_t nonfinite) {
+std::string absence_text(const scene::VolumeGrid& grid) {
+    std::string text;
+    const auto share = [&grid](std::uint64_t count) { return 100.0 * double(count) / double(grid.voxel_count()); };
+    for (const scene::FillValue& fill : grid.fills) {
+        text += fmt::format("fill     {:.9g}: {} samples ({:.3g} %), left out and drawn as nothing\n", fill.value,
+                            fill.count, share(fill.count));
+    }
+    text += fmt::format("faults   {}\n", grid.nonfinite == 0
+                                             ? std::string("none")
+                                             : fmt::format("{} of {} samples are not finite, drawn as nothing",
+                                                           grid.nonfinite, grid.voxel_count()));
+    return text;
+}
+
+std::string values_text(const scene::VolumeGrid& grid) {
     const glm::dvec3 extent = grid.extent();
     std::string text = fmt::format("extent   {:.6g} x {:.6g} x {:.6g} m\n", extent.x, extent.y, extent.z);
     text += fmt::format("range    {:.9g} to {:.9g}{}\n", grid.smallest, grid.largest,
                         grid.smallest == grid.largest ? " (constant: it shows no structure)" : "");
+    if (grid.has_outliers()) {
+        text += fmt::format("bulk     {:.9g} to {:.9g}; the few samples beyond lie far apart and decide nothing\n",
+                            grid.core[0], grid.core[1]);
+    }
+    if (scene::bytes_per_voxel(grid.type) > 1) {
+        text +=
+            fmt::format("window   {:.9g} to {:.9g} suggested\n", grid.suggested_window[0], grid.suggested_window[1]);
+    }
     text += fmt::format("mean     {:.9g}\n", mean_value(grid));
-    text += fmt::format("faults   {}\n",
-                        nonfinite == 0 ? std::string("none")
-                                       : fmt::format("{} of {} samples are not finite", nonfinite, grid.voxel_count()));
-    return text + bar_chart(grid);
+    return text + absence_text(grid) + bar_chart(grid);
 }
 
 std::string raw_text(const std::string& path, const scene::VolumeSource& hints) {
@@ -73,7 +92,7 @@ std::string raw_text(const std::string& path, const scene::VolumeSource& hints) 
         text += fmt::format("rotation {:.6g}, {:.6g}, {:.6g} degrees about x, y, z ({})\n", layout.rotation_deg.x,
                             layout.rotation_deg.y, layout.rotation_deg.z, layout.rotation_from);
     }
-    text += values_text(*loaded.grid, loaded.replaced_nonfinite);
+    text += values_text(*loaded.grid);
     for (const std::string& remark : loaded.remarks) {
         text += fmt::format("remark   {}\n", remark);
     }

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <fstream>
-#include <limits>
 #include <new>
 #include <optional>
 
@@ -39,7 +37,7 @@ std::vector<std::byte> allocate(std::uint64_t bytes, const std::filesystem::path
     constexpr std::uint64_t left_for_others = 64 << 20;
     const std::uint64_t available = available_memory();
     const auto refuse = [&]() {
-        return InputError(
+        return MachineError(
             fmt::format("{}: needs {} MiB of memory, but {} MiB are free; close other programs or show a "
                         "smaller volume",
                         path.string(), bytes >> 20, available >> 20));
@@ -96,19 +94,24 @@ std::optional<std::string> byte_order_remark(const std::filesystem::path& path, 
         path.string());
 }
 
-}  // namespace
-
-std::uint64_t available_memory() {
-    std::ifstream facts("/proc/meminfo");
-    std::string key;
-    std::uint64_t kibibytes = 0;
-    for (std::string unit; facts >> key >> kibibytes; std::getline(facts, unit)) {
-        if (key == "MemAvailable:") {
-            return kibibytes * 1024;
-        }
+/// A sentence on what the file does not hold; nothing when it holds everything.
+std::optional<std::string> absence_remark(const std::filesystem::path& path, const scene::VolumeGrid& grid) {
+    if (grid.absent.empty()) {
+        return std::nullopt;
     }
-    return std::numeric_limits<std::uint64_t>::max();
+    std::string what;
+    for (const scene::FillValue& fill : grid.fills) {
+        what += fmt::format("{}{} hold the fill value {:.9g}", what.empty() ? "" : " and ", fill.count, fill.value);
+    }
+    if (grid.nonfinite > 0) {
+        what += fmt::format("{}{} are not finite", what.empty() ? "" : " and ", grid.nonfinite);
+    }
+    return fmt::format("{}: of {} samples {}; they are left out of range and histogram and drawn as nothing{}",
+                       path.string(), grid.voxel_count(), what,
+                       grid.present_count() == 0 ? ", so that nothing of this volume is left" : "");
 }
+
+}  // namespace
 
 LoadedVolume load_raw_volume(const std::filesystem::path& path, const scene::VolumeSource& hints,
                              const Progress& progress) {
@@ -125,22 +128,20 @@ LoadedVolume load_raw_volume(const std::filesystem::path& path, const scene::Vol
     grid->voxels = allocate(std::uint64_t(layout.bytes_needed() - layout.offset), path);
     read_samples(layout.file, layout, grid->voxels, progress);
 
-    loaded.replaced_nonfinite = scene::finish_grid(*grid);
+    scene::finish_grid(*grid, scene::Fills::left_out);
     if (auto remark = byte_order_remark(layout.file, layout)) {
         loaded.remarks.push_back(std::move(*remark));
     }
     for (const std::string& field : layout.unused) {
         loaded.remarks.push_back(fmt::format("{}: its {} is not used; rotate the node instead", path.string(), field));
     }
-    if (loaded.replaced_nonfinite > 0) {
-        loaded.remarks.push_back(
-            fmt::format("{}: {} of {} samples are not finite and were replaced by the smallest "
-                        "finite value, {}",
-                        path.string(), loaded.replaced_nonfinite, grid->voxel_count(), grid->smallest));
+    if (auto remark = absence_remark(path, *grid)) {
+        loaded.remarks.push_back(std::move(*remark));
     }
-    if (grid->smallest == grid->largest) {
+    if (grid->smallest == grid->largest && grid->present_count() > 0) {
         loaded.remarks.push_back(
-            fmt::format("{}: every sample is {}; a constant volume shows no structure", path.string(), grid->smallest));
+            fmt::format("{}: every {}sample is {}; a constant volume shows no structure and is drawn as a faint haze",
+                        path.string(), grid->absent.empty() ? "" : "other ", grid->smallest));
     }
     loaded.grid = std::move(grid);
     return loaded;

@@ -22,9 +22,9 @@ double dot_axis(const scene::Light& light, const scene::Incident& incident) {
 }  // namespace
 
 GradientShading::GradientShading(const scene::Scene& scene, const scene::VolumeOptics& optics,
-                                 double smallest_voxel_edge, double data_range)
+                                 double smallest_voxel_edge, double shading_range)
     : optics_(optics),
-      share_per_gradient_(data_range > 0.0 ? smallest_voxel_edge / data_range : 0.0),
+      share_per_gradient_(shading_range > 0.0 ? smallest_voxel_edge / shading_range : 0.0),
       // A highlight cos^n is about 1 / sqrt(n) wide.
       largest_turn_(std::min(0.5, 2.0 / std::sqrt(std::max(1.0, optics.specular > 0.0 ? optics.shininess : 1.0)))) {
     camera_back_world_ = scene::camera_frame(**scene.camera).back_world;

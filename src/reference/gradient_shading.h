@@ -10,9 +10,10 @@ namespace bruma::reference {
 /// numbers stands at scene::VolumeOptics.
 class GradientShading {
   public:
-    /// `smallest_voxel_edge` in metres of the world, `data_range` in data units; both make the gradient a pure number.
+    /// `smallest_voxel_edge` in metres of the world, `shading_range` (scene/volume.h) in data units; both make the
+    /// gradient a pure number.
     GradientShading(const scene::Scene& scene, const scene::VolumeOptics& optics, double smallest_voxel_edge,
-                    double data_range);
+                    double shading_range);
 
     /// Radiance of matter of this colour per unit of extinction, without its own emission. The gradient is in data
     /// units per metre of the world; the ray direction, of unit length, leads away from the eye. Total.
@@ -46,8 +47,8 @@ class GradientShading {
     double highlight(glm::dvec3 normal, glm::dvec3 to_light, glm::dvec3 to_eye) const;
 
     scene::VolumeOptics optics_;
-    double share_per_gradient_;         ///< share of the data range per voxel, for a gradient of 1 data unit per metre
-    double largest_turn_;               ///< of the gradient, relative to its length, that counts as resolved
+    double share_per_gradient_;  ///< share of the shading range per voxel, for a gradient of 1 data unit per metre
+    double largest_turn_;        ///< of the gradient, relative to its length, that counts as resolved
     std::vector<scene::Light> lights_;  ///< those that shine
     glm::dvec3 camera_back_world_;
 };

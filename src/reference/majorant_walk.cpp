@@ -44,6 +44,9 @@ OpticalPoint MajorantWalk::optics_at(double t) const {
     const glm::ivec3 first = block_ * BlockRanges::edge - 1;
     const glm::ivec3 last = glm::min(first + BlockRanges::edge, volume.field.grid().size) - 1;
     const glm::ivec3 cell = glm::clamp(glm::ivec3(glm::floor(at)), first, last);
+    if (volume.field.is_hole(cell)) {
+        return {};
+    }
     const glm::dvec3 f = glm::clamp(at - glm::dvec3(cell), 0.0, 1.0);
     const std::array<double, 8> s = volume.field.corners(cell);
     const auto mix = [](double a, double b, double x) { return a + x * (b - a); };

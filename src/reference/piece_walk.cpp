@@ -59,6 +59,9 @@ bool PieceWalk::enter_next_cell() {
 }
 
 void PieceWalk::load_cell(double t1) {
+    if (volume_->field.is_hole(cell_)) {
+        return;
+    }
     std::array<double, 8> corners = volume_->field.corners(cell_);
     for (double& corner : corners) {
         corner = volume_->u_of_value(corner);

@@ -55,17 +55,24 @@ PreparedVolume::PreparedVolume(const scene::Scene& scene, const std::string& nod
     blocks_ = blocks.size;
     transparent_.reserve(blocks.ranges.size());
     majorants_.reserve(blocks.ranges.size());
-    for (const auto& [low, high] : blocks.ranges) {
+    for (std::size_t block = 0; block < blocks.ranges.size(); ++block) {
+        const auto [low, high] = blocks.ranges[block];
+        if (low > high) {  // nothing but absent samples
+            transparent_.push_back(1);
+            majorants_.push_back(0.0);
+            continue;
+        }
         const auto [u_low, u_high] = std::minmax({u_of_value(low), u_of_value(high)});
         const bool transparent = curves.is_transparent(u_low, u_high);
         transparent_.push_back(transparent ? 1 : 0);
-        const auto [smallest, largest] = curves.extinction_range(u_low, u_high);
+        const auto [least, largest] = curves.extinction_range(u_low, u_high);
+        const double smallest = blocks.has_holes[block] != 0 ? 0.0 : least;
         majorants_.push_back(transparent ? 0.0 : largest);
         largest_null_depth_ = std::max(largest_null_depth_, transparent ? 0.0 : (largest - smallest) * diagonal);
     }
     const scene::VolumeOptics& optics = *volume.optics;
     if (lighting == scene::VolumeLighting::gradient || (scatters && optics.surfaces)) {
-        shading.emplace(scene, optics, edge, grid.largest - grid.smallest);
+        shading.emplace(scene, optics, edge, scene::shading_range(volume));
     }
 }
 

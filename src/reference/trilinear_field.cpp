@@ -42,11 +42,12 @@ std::array<glm::dvec3, 8> read_gradients(const scene::VolumeGrid& grid, glm::ive
         const std::size_t center = at.x * stride[0] + at.y * stride[1] + at.z * stride[2];
         glm::dvec3 gradient(0.0);
         for (int axis = 0; axis < 3; ++axis) {
-            const bool has_lower = at[axis] > 0;
-            const bool has_upper = at[axis] + 1 < grid.size[axis];
+            const std::size_t step = stride[std::size_t(axis)];
+            const bool has_lower = at[axis] > 0 && !grid.is_absent(center - step);
+            const bool has_upper = at[axis] + 1 < grid.size[axis] && !grid.is_absent(center + step);
             if (has_lower || has_upper) {
-                const double upper = double(samples[has_upper ? center + stride[std::size_t(axis)] : center]);
-                const double lower = double(samples[has_lower ? center - stride[std::size_t(axis)] : center]);
+                const double upper = double(samples[has_upper ? center + step : center]);
+                const double lower = double(samples[has_lower ? center - step : center]);
                 gradient[axis] = has_lower && has_upper ? 0.5 * (upper - lower) : upper - lower;
             }
         }
@@ -64,11 +65,27 @@ TrilinearField::TrilinearField(std::shared_ptr<const scene::VolumeGrid> grid) : 
     });
 }
 
+bool TrilinearField::is_hole(glm::ivec3 cell) const {
+    if (grid_->absent.empty()) {
+        return false;
+    }
+    const auto x = plane_offsets(cell.x, grid_->size.x, 1);
+    const auto y = plane_offsets(cell.y, grid_->size.y, std::size_t(grid_->size.x));
+    const auto z = plane_offsets(cell.z, grid_->size.z, std::size_t(grid_->size.x) * grid_->size.y);
+    for (std::size_t n = 0; n < 8; ++n) {
+        if (grid_->is_absent(x[n & 1] + y[(n >> 1) & 1] + z[n >> 2])) {
+            return true;
+        }
+    }
+    return false;
+}
+
 BlockRanges block_ranges(const scene::VolumeGrid& grid) {
     constexpr int edge = BlockRanges::edge;
     BlockRanges blocks;
     blocks.size = (grid.size + 1 + edge - 1) / edge;  // n + 1 cells along an axis of n samples
     blocks.ranges.resize(std::size_t(blocks.size.x) * blocks.size.y * blocks.size.z);
+    blocks.has_holes.resize(blocks.ranges.size());
     scene::visit_voxels(grid, [&](auto samples) {
         tbb::parallel_for(0, blocks.size.y * blocks.size.z, [&](int row) {
             for (int bx = 0; bx < blocks.size.x; ++bx) {
@@ -77,10 +94,15 @@ BlockRanges block_ranges(const scene::VolumeGrid& grid) {
                 const glm::ivec3 last = glm::min(block * edge - 1 + edge, grid.size - 1);
                 float low = std::numeric_limits<float>::infinity();
                 float high = -low;
+                bool holes = false;
                 for (int z = first.z; z <= last.z; ++z) {
                     for (int y = first.y; y <= last.y; ++y) {
                         const std::size_t line = (std::size_t(z) * grid.size.y + y) * grid.size.x;
                         for (int x = first.x; x <= last.x; ++x) {
+                            if (grid.is_absent(line + x)) {
+                                holes = true;
+                                continue;
+                            }
                             const auto value = float(samples[line + x]);
                             low = std::min(low, value);
                             high = std::max(high, value);
@@ -88,6 +110,7 @@ BlockRanges block_ranges(const scene::VolumeGrid& grid) {
                     }
                 }
                 blocks.ranges[std::size_t(row) * blocks.size.x + bx] = {low, high};
+                blocks.has_holes[std::size_t(row) * blocks.size.x + bx] = holes ? 1 : 0;
             }
         });
     });

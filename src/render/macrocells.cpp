@@ -60,6 +60,8 @@ CellRanges make_cell_ranges(const scene::VolumeGrid& grid) {
     const std::size_t count = std::size_t(ranges.cells.x) * ranges.cells.y * ranges.cells.z;
     ranges.smallest.resize(count);
     ranges.largest.resize(count);
+    ranges.holes.resize(grid.absent.empty() ? 0 : count);
+    ranges.usual_magnitude = std::max(std::abs(grid.core[0]), std::abs(grid.core[1]));
     const int edge = ranges.edge;
     const glm::ivec3 size = grid.size;
     scene::visit_voxels(grid, [&](auto samples) {
@@ -69,20 +71,31 @@ CellRanges make_cell_ranges(const scene::VolumeGrid& grid) {
             for (int cx = 0; cx < ranges.cells.x; ++cx) {
                 const glm::ivec3 low = glm::max(glm::ivec3(cx, cy, cz) * edge - 1, 0);
                 const glm::ivec3 high = glm::min(glm::ivec3(cx + 1, cy + 1, cz + 1) * edge, size - 1);
-                auto smallest = samples[(std::size_t(low.z) * size.y + low.y) * size.x + low.x];
-                auto largest = smallest;
+                using Sample = typename decltype(samples)::value_type;
+                Sample smallest = std::numeric_limits<Sample>::max();
+                Sample largest = std::numeric_limits<Sample>::lowest();
+                bool holes = false;
                 for (int z = low.z; z <= high.z; ++z) {
                     for (int y = low.y; y <= high.y; ++y) {
-                        const auto* line = samples.data() + (std::size_t(z) * size.y + y) * size.x;
+                        const std::size_t first = (std::size_t(z) * size.y + y) * size.x;
+                        const auto* line = samples.data() + first;
                         for (int x = low.x; x <= high.x; ++x) {
+                            if (grid.is_absent(first + std::size_t(x))) {
+                                holes = true;
+                                continue;
+                            }
                             smallest = std::min(smallest, line[x]);
                             largest = std::max(largest, line[x]);
                         }
                     }
                 }
                 const std::size_t cell = std::size_t(row) * ranges.cells.x + cx;
-                ranges.smallest[cell] = float(smallest);
-                ranges.largest[cell] = float(largest);
+                const bool nothing = smallest > largest;
+                ranges.smallest[cell] = nothing ? 1.0F : float(smallest);
+                ranges.largest[cell] = nothing ? 0.0F : float(largest);
+                if (holes) {
+                    ranges.holes[cell] = 1;
+                }
             }
         });
     });
@@ -91,24 +104,29 @@ CellRanges make_cell_ranges(const scene::VolumeGrid& grid) {
 
 TouchedEntries::TouchedEntries(const CellRanges& ranges, glm::dvec2 u_of_value, int entries)
     : ranges_(ranges), u_of_value_(u_of_value), entries_(entries) {
-    // Rounding is relative to the largest number that occurs, be it a value or the window's end that is taken from it.
-    double magnitude = 0.0;
     for (std::size_t cell = 0; cell < ranges.smallest.size(); ++cell) {
-        magnitude =
-            std::max({magnitude, std::abs(double(ranges.smallest[cell])), std::abs(double(ranges.largest[cell]))});
+        magnitude_ =
+            std::max({magnitude_, std::abs(double(ranges.smallest[cell])), std::abs(double(ranges.largest[cell]))});
     }
-    const double largest_term = magnitude * std::abs(u_of_value.x) + std::abs(u_of_value.y);
-    room_ = std::min(double(entries), 4.0 * std::numeric_limits<float>::epsilon() * largest_term * (entries - 1));
 }
 
 TouchedEntries::Span TouchedEntries::of(std::size_t cell) const {
     const auto entry_of = [&](double value) {
         return std::clamp(value * u_of_value_.x + u_of_value_.y, 0.0, 1.0) * (entries_ - 1);
     };
-    const double one = entry_of(ranges_.smallest[cell]);
-    const double other = entry_of(ranges_.largest[cell]);
-    return {std::max(0, int(std::floor(std::min(one, other) - room_)) - 1),
-            std::min(entries_, int(std::ceil(std::max(one, other) + room_)) + 2)};
+    const double smallest = ranges_.smallest[cell];
+    const double largest = ranges_.largest[cell];
+    // Rounding is relative to the largest number that occurs, be it a value or the window's end that is taken from it.
+    // An outlier counts in its own cell only.
+    const double magnitude =
+        std::min(magnitude_, std::max({ranges_.usual_magnitude, std::abs(smallest), std::abs(largest)}));
+    const double largest_term = magnitude * std::abs(u_of_value_.x) + std::abs(u_of_value_.y);
+    const double room =
+        std::min(double(entries_), 4.0 * std::numeric_limits<float>::epsilon() * largest_term * (entries_ - 1));
+    const double one = entry_of(smallest);
+    const double other = entry_of(largest);
+    return {std::max(0, int(std::floor(std::min(one, other) - room)) - 1),
+            std::min(entries_, int(std::ceil(std::max(one, other) + room)) + 2)};
 }
 
 Emptiness find_emptiness(const CellRanges& ranges, const TransferTables& tables, glm::dvec2 u_of_value) {
@@ -124,7 +142,7 @@ Emptiness find_emptiness(const CellRanges& ranges, const TransferTables& tables,
     result.distance.resize(ranges.smallest.size());
     std::size_t occupied = 0;
     for (std::size_t cell = 0; cell < ranges.smallest.size(); ++cell) {
-        const auto [first, behind] = touched.of(cell);
+        const auto [first, behind] = ranges.is_nothing(cell) ? TouchedEntries::Span{0, 0} : touched.of(cell);
         const bool empty = visible[std::size_t(behind)] == visible[std::size_t(first)];
         result.distance[cell] = empty ? 255 : 0;
         occupied += empty ? 0 : 1;

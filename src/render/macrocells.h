@@ -14,12 +14,18 @@ namespace bruma::render {
 struct CellRanges {
     int edge = 4;
     glm::ivec3 cells{0};
-    std::vector<float> smallest, largest;  ///< rounded outwards
+    std::vector<float> smallest, largest;  ///< rounded outwards, without absent samples; 1 and 0 where all are
+    std::vector<std::uint8_t> holes;       ///< 1 where some samples are absent; empty: nowhere
+    /// The largest magnitude among all values but outliers.
+    double usual_magnitude = 1e300;
+
+    /// Nothing but absent samples.
+    bool is_nothing(std::size_t cell) const { return !holes.empty() && smallest[cell] > largest[cell]; }
 };
 CellRanges make_cell_ranges(const scene::VolumeGrid& grid);
 
 /// Which entries of a table over u in [0, 1] linear lookups inside a cell can touch, and one more on each side for
-/// rounding. `u_of_value` gives u = x * value + y.
+/// rounding. `u_of_value` gives u = x * value + y. Not to be asked for cells of nothing.
 class TouchedEntries {
   public:
     TouchedEntries(const CellRanges& ranges, glm::dvec2 u_of_value, int entries);
@@ -32,7 +38,7 @@ class TouchedEntries {
     const CellRanges& ranges_;
     glm::dvec2 u_of_value_;
     int entries_;
-    double room_;  ///< what float rounding may move a value by, in entries
+    double magnitude_ = 0.0;  ///< the largest that occurs
 };
 
 /// Which cells hold anything visible, as the Chebyshev distance to the nearest such cell: 0 in the cell itself, at most

@@ -50,10 +50,14 @@ ExtinctionBounds bound_extinction(const CellRanges& ranges, const std::vector<fl
     bounds.cells = ranges.cells;
     bounds.least_most.resize(ranges.smallest.size());
     tbb::parallel_for(std::size_t(0), bounds.least_most.size(), [&](std::size_t cell) {
+        if (ranges.is_nothing(cell)) {
+            return;  // 0, 0
+        }
         const auto [first, behind] = touched.of(cell);
         const glm::vec2 bound = spans.of(first, behind);
         // The texture unit's own rounding, far above its half unit in the last place.
-        bounds.least_most[cell] = {bound.x * (1.0F - 1e-6F), bound.y * (1.0F + 1e-6F)};
+        const bool holes = !ranges.holes.empty() && ranges.holes[cell] != 0;
+        bounds.least_most[cell] = {holes ? 0.0F : bound.x * (1.0F - 1e-6F), bound.y * (1.0F + 1e-6F)};
     });
     return bounds;
 }

@@ -50,13 +50,13 @@ double Renderer::step_world(const scene::Scene& scene) {
 void Renderer::update(const scene::Scene& scene, const View& view) {
     if (!scene.outdoors) {
         sky_.reset();
-        update_passes(scene, view);
+        update_passes(fitting_.fit(scene), view);
         return;
     }
     if (!sky_) {
         sky_ = std::make_unique<SkyPasses>(graph_, shaders_);
     }
-    update_passes(scene::with_sun_as_lamp(scene), view);
+    update_passes(fitting_.fit(scene::with_sun_as_lamp(scene)), view);
 }
 
 void Renderer::update_passes(const scene::Scene& scene, const View& view) {
@@ -99,6 +99,7 @@ void Renderer::update_passes(const scene::Scene& scene, const View& view) {
             sky_->update(scene, opaque, view.pixels);
         }
         const std::vector<Handle<CloudPicture>> clouds = update_clouds(scene, view);
+        march_.store_gradients(fitting_.gradients_stored());
         march_.update(scene, volumes_, lights_, opaque, clouds, {view.pixels, view.step_scale}, step,
                       sky_ ? sky_->picture : Handle<SkyPicture>{},
                       clouds_ ? clouds_->update_shafts(scene, scene::shown_clouds(scene), shadows,

@@ -11,6 +11,7 @@
 #include "render/passes/march_pass.h"
 #include "render/passes/path_trace_pass.h"
 #include "render/passes/sky_passes.h"
+#include "render/volume_needs.h"
 #include "scene/scene.h"
 
 namespace bruma::render {
@@ -51,6 +52,9 @@ class Renderer {
   public:
     explicit Renderer(gl::ShaderLibrary& shaders);
 
+    /// Bytes that volumes may take; without a call, what the driver tells to be free.
+    void set_texture_budget(std::uint64_t bytes) { fitting_.set_budget(bytes); }
+
     /// Brings the picture up to date; the scene needs a camera, its volumes their grids and its meshes their triangles.
     /// With `measure_gpu` the GPU is drained around each pass, so that its time is known.
     const RunReport& render(const scene::Scene& scene, const View& view, bool measure_gpu = false);
@@ -86,7 +90,7 @@ class Renderer {
 
   private:
     void update(const scene::Scene& scene, const View& view);
-    /// All lamps, the sun of an outdoor scene too, are among the scene's lights.
+    /// All lamps, the sun of an outdoor scene too, are among the scene's lights, and its volumes fit.
     void update_passes(const scene::Scene& scene, const View& view);
     void update_meshes(const scene::Scene& scene, const std::vector<std::string>& shown, const View& view,
                        const CloudShadows& clouds);
@@ -101,6 +105,7 @@ class Renderer {
 
     FrameGraph graph_;
     gl::ShaderLibrary& shaders_;
+    VolumeFitting fitting_;
     MarchPass march_;
     PathTracePass path_trace_;
     bool path_traced_ = false;

@@ -30,11 +30,32 @@ void check_edges(const scene::VolumeGrid& grid) {
     GLint most = 0;
     glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &most);
     if (std::max({grid.size.x, grid.size.y, grid.size.z}) > most) {
-        throw InputError(
+        throw MachineError(
             fmt::format("{}: {} x {} x {} samples, but this driver takes at most {} along an edge; "
                         "cut or thin out the volume",
                         grid.name, grid.size.x, grid.size.y, grid.size.z, most));
     }
+}
+
+/// Texels of absent samples and the furthest of others: interpolation with a weight of 1e-20 and more tells them apart.
+constexpr float texel_of_absent = -1e36F;
+constexpr double furthest_texel = 1e7;
+
+void upload_floats(const scene::VolumeGrid& grid, VolumeTexture& result) {
+    result.texture = gl::Texture::make_3d(grid.name + ": voxels", GL_R32F, grid.size);
+    result.holes = !grid.absent.empty();
+    const double width = result.value_of_one - result.value_of_zero;
+    const std::size_t slice = std::size_t(grid.size.x) * grid.size.y;
+    scene::visit_voxels(grid, [&](auto samples) {
+        upload_in_batches<float>(result.texture, grid.size, {GL_RED, GL_FLOAT}, 1, [&](int z, float* out) {
+            for (std::size_t n = 0; n < slice; ++n) {
+                const std::size_t at = slice * z + n;
+                const double texel = (double(samples[at]) - result.value_of_zero) / width;
+                out[n] =
+                    grid.is_absent(at) ? texel_of_absent : float(std::clamp(texel, -furthest_texel, furthest_texel));
+            }
+        });
+    });
 }
 
 }  // namespace
@@ -72,6 +93,13 @@ void main() { between = textureLod(two_texels, vec3(0.5, 0.5, 0.5), 0.0).x * 255
     glDeleteBuffers(1, &buffer);
     glDeleteProgram(program);
     return std::abs(answer - 0.5F) < 0.1F;
+}
+
+GLenum voxel_format(const scene::VolumeGrid& grid, GLenum byte_format) {
+    if (scene::bytes_per_voxel(grid.type) == 1) {
+        return byte_format;
+    }
+    return grid.type == scene::VoxelType::float32 || !grid.absent.empty() ? GL_R32F : GL_R16;
 }
 
 VolumeTexture make_volume_texture(const scene::VolumeGrid& grid) {
@@ -112,6 +140,10 @@ VolumeTexture make_volume_texture(const scene::VolumeGrid& grid) {
             const int low = grid.type == VoxelType::int16 ? -32768 : 0;
             result.value_of_zero = low;
             result.value_of_one = low + 65535;
+            if (!grid.absent.empty()) {
+                upload_floats(grid, result);
+                break;
+            }
             const auto* words = reinterpret_cast<const std::uint16_t*>(grid.voxels.data());
             const std::uint16_t flip = grid.type == VoxelType::int16 ? 0x8000 : 0x0000;
             result.texture = make(GL_R16);
@@ -125,16 +157,11 @@ VolumeTexture make_volume_texture(const scene::VolumeGrid& grid) {
         }
         case VoxelType::float32: {
             // Mapped to [0,1] in double, so that neither 1e30 nor a large offset costs digits in the shader.
-            const double width = grid.largest > grid.smallest ? grid.largest - grid.smallest : 1.0;
-            result.value_of_zero = grid.smallest;
-            result.value_of_one = grid.smallest + width;
-            const auto* floats = reinterpret_cast<const float*>(grid.voxels.data());
-            result.texture = make(GL_R32F);
-            upload_in_batches<float>(result.texture, grid.size, {GL_RED, GL_FLOAT}, 1, [&](int z, float* out) {
-                for (std::size_t n = 0; n < slice; ++n) {
-                    out[n] = float((double(floats[slice * z + n]) - grid.smallest) / width);
-                }
-            });
+            // Outliers lie beyond.
+            const double width = grid.core[1] > grid.core[0] ? grid.core[1] - grid.core[0] : 1.0;
+            result.value_of_zero = grid.core[0];
+            result.value_of_one = grid.core[0] + width;
+            upload_floats(grid, result);
             break;
         }
     }
@@ -145,17 +172,19 @@ namespace {
 
 /// Twice the difference per voxel along each axis at sample (x, y, z).
 template <class T>
-glm::dvec3 doubled_differences(const T* samples, glm::ivec3 size, int x, int y, int z) {
+glm::dvec3 doubled_differences(const scene::VolumeGrid& grid, const T* samples, int x, int y, int z) {
+    const glm::ivec3 size = grid.size;
     const std::size_t strides[3] = {1, std::size_t(size.x), std::size_t(size.x) * size.y};
-    const T* here = samples + (std::size_t(z) * size.y + y) * size.x + x;
+    const std::size_t index = (std::size_t(z) * size.y + y) * size.x + x;
+    const T* here = samples + index;
     const int at[3] = {x, y, z};
     glm::dvec3 result(0.0);
     for (int k = 0; k < 3; ++k) {
         if (size[k] == 1) {
             continue;
         }
-        const bool first = at[k] == 0;
-        const bool last = at[k] == size[k] - 1;
+        const bool first = at[k] == 0 || grid.is_absent(index - strides[k]);
+        const bool last = at[k] == size[k] - 1 || grid.is_absent(index + strides[k]);
         const double difference =
             double(last ? *here : *(here + strides[k])) - double(first ? *here : *(here - strides[k]));
         result[k] = first || last ? 2.0 * difference : difference;
@@ -163,15 +192,56 @@ glm::dvec3 doubled_differences(const T* samples, glm::ivec3 size, int x, int y, 
     return result;
 }
 
+/// Half floats hold 11 digits of any gradient from 4e-6 of the unit's 16-fold per voxel on; steeper ones than 65504
+/// units keep their direction.
+void upload_half_floats(const scene::VolumeGrid& grid, GradientTexture& result) {
+    constexpr double largest_half = 65504.0;
+    const double core = grid.core[1] - grid.core[0];
+    const double range = grid.largest - grid.smallest;
+    const double unit = std::min(range / 32768.0, core / 16.0);
+    result.difference_per_texel = unit > 0.0 ? unit : 1.0;
+    scene::visit_voxels(grid, [&](auto samples) {
+        upload_in_batches<float>(result.texture, grid.size, {GL_RGBA, GL_FLOAT}, 4, [&](int z, float* out) {
+            for (int y = 0; y < grid.size.y; ++y) {
+                for (int x = 0; x < grid.size.x; ++x) {
+                    glm::dvec3 d =
+                        doubled_differences(grid, samples.data(), x, y, z) * (0.5 / result.difference_per_texel);
+                    const double most = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+                    d *= most > largest_half ? largest_half / most : 1.0;
+                    for (int k = 0; k < 3; ++k) {
+                        *out++ = float(d[k]);
+                    }
+                    *out++ = 0.0F;
+                }
+            }
+        });
+    });
+}
+
 }  // namespace
 
-GradientTexture make_gradient_texture(const scene::VolumeGrid& grid) {
+GradientStorage gradient_storage(const scene::Volume& volume) {
+    constexpr double well_resolved = 16.0;  // ranges of shading in the data's: a gradient then has 11 bits of 15
+    const scene::VolumeGrid& grid = **volume.grid;
+    const bool fine =
+        !grid.has_outliers() && well_resolved * scene::shading_range(volume) >= grid.largest - grid.smallest;
+    return fine || scene::bytes_per_voxel(grid.type) == 1 ? GradientStorage::share_of_range : GradientStorage::floating;
+}
+
+GLenum gradient_format(const scene::VolumeGrid& grid, GradientStorage storage) {
+    if (scene::bytes_per_voxel(grid.type) == 1) {
+        return GL_RGB10_A2;
+    }
+    return storage == GradientStorage::floating ? GL_RGBA16F : GL_RGBA16_SNORM;
+}
+
+GradientTexture make_gradient_texture(const scene::VolumeGrid& grid, GradientStorage storage) {
     check_edges(grid);
     GradientTexture result;
     const std::string label = grid.name + ": gradients";
     if (scene::bytes_per_voxel(grid.type) == 1) {
         // Doubled differences of bytes are whole numbers in [-510, 510]: ten bits hold them without loss.
-        result.texture = gl::Texture::make_3d(label, GL_RGB10_A2, grid.size);
+        result.texture = gl::Texture::make_3d(label, gradient_format(grid, storage), grid.size);
         result.texel_of_zero = 511.0 / 1023.0;
         result.difference_per_texel = 1023.0 / 2.0;
         scene::visit_voxels(grid, [&](auto samples) {
@@ -180,7 +250,7 @@ GradientTexture make_gradient_texture(const scene::VolumeGrid& grid) {
                 [&](int z, std::uint32_t* out) {
                     for (int y = 0; y < grid.size.y; ++y) {
                         for (int x = 0; x < grid.size.x; ++x) {
-                            const glm::ivec3 d(doubled_differences(samples.data(), grid.size, x, y, z) + 511.0);
+                            const glm::ivec3 d(doubled_differences(grid, samples.data(), x, y, z) + 511.0);
                             *out++ = std::uint32_t(d.x) | std::uint32_t(d.y) << 10 | std::uint32_t(d.z) << 20;
                         }
                     }
@@ -188,16 +258,19 @@ GradientTexture make_gradient_texture(const scene::VolumeGrid& grid) {
         });
         return result;
     }
+    result.texture = gl::Texture::make_3d(label, gradient_format(grid, storage), grid.size);
+    if (storage == GradientStorage::floating) {
+        upload_half_floats(grid, result);
+        return result;
+    }
     const double range = grid.largest > grid.smallest ? grid.largest - grid.smallest : 1.0;
-    result.texture = gl::Texture::make_3d(label, GL_RGBA16_SNORM, grid.size);
     result.difference_per_texel = range;
     scene::visit_voxels(grid, [&](auto samples) {
         upload_in_batches<std::int16_t>(
             result.texture, grid.size, {GL_RGBA, GL_SHORT}, 4, [&](int z, std::int16_t* out) {
                 for (int y = 0; y < grid.size.y; ++y) {
                     for (int x = 0; x < grid.size.x; ++x) {
-                        const glm::dvec3 share =
-                            doubled_differences(samples.data(), grid.size, x, y, z) * (0.5 / range);
+                        const glm::dvec3 share = doubled_differences(grid, samples.data(), x, y, z) * (0.5 / range);
                         for (int k = 0; k < 3; ++k) {
                             *out++ = std::int16_t(std::lround(32767.0 * std::clamp(share[k], -1.0, 1.0)));
                         }

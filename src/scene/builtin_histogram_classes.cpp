@@ -71,10 +71,27 @@ double opacity_over(double optical_depth, double voxels) {
     return -std::expm1(-optical_depth / std::max(1.0, voxels));
 }
 
+/// A constant has no structure to show: its box stays, three quarters transparent along its longest edge.
+TransferFunction haze(const VolumeGrid& grid) {
+    TransferFunction tf;
+    const glm::dvec3 extent = grid.extent();
+    tf.window = {grid.smallest - 0.5, grid.smallest + 0.5};
+    tf.reference_length = std::max({extent.x, extent.y, extent.z});
+    tf.opacity = {{0.0, 0.25}};
+    tf.color = {{0.0, glm::dvec3(0.3)}};
+    return tf;
+}
+
 }  // namespace
 
 TransferFunction transfer_function_of_histogram(const VolumeGrid& grid) {
-    const Histogram h = histogram(grid, bins);
+    if (grid.smallest == grid.largest) {
+        return haze(grid);
+    }
+    // Few values of 8 bits are far from the others: all of them are shown.
+    const std::array<double, 2> range{grid.smallest, grid.largest};
+    const std::array<double, 2> window = bytes_per_voxel(grid.type) == 1 ? range : grid.suggested_window;
+    const Histogram h = histogram(grid, bins, window);
     const int start = std::min(background_end(h), bins - 3);
     const int split = std::clamp(otsu_split(h, start), start + 1, bins - 1);
     const double soft = mean_bin(h, start, split);
@@ -89,6 +106,9 @@ TransferFunction transfer_function_of_histogram(const VolumeGrid& grid) {
     const auto at = [](double bin) { return bin / bins; };
     const double between = 0.5 * (soft + split);
     TransferFunction tf;
+    if (window != range) {
+        tf.window = window;
+    }
     tf.reference_length = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
     tf.opacity = {{at(0.0), 0.0},
                   {at(start), 0.0},

@@ -27,8 +27,9 @@ struct EmissionPoint {
 /// Maps a data value to optical properties. All curves are piecewise linear between their points and constant outside.
 ///
 /// A data value v becomes u = (v - window[0]) / (window[1] - window[0]), clamped to [0,1]; a control point at position
-/// p sits at u = (p - domain[0]) / (domain[1] - domain[0]). Without a window the data's own range is used, so that a
-/// preset with domain [0,1] fits any data, while a file may speak of values with domain equal to window.
+/// p sits at u = (p - domain[0]) / (domain[1] - domain[0]). Without a window the data's own range is used, without
+/// fill values and outliers, so that a preset with domain [0,1] fits any data, while a file may speak of values with
+/// domain equal to window.
 ///
 /// Extinction is sigma_t = -ln(1 - opacity) / reference_length with opacity clamped to 1 - 2^-16.
 struct TransferFunction {

@@ -89,7 +89,7 @@ struct VolumeOptics {
     double specular = 0.2;              ///< strength of the highlight, in the light's colour
     double shininess = 30.0;            ///< exponent of the highlight
     bool two_sided = true;              ///< light both sides of thin sheets: |n.l| instead of max(n.l, 0)
-    double gradient_soft_from = 0.002;  ///< gradients below this are unshaded, as a share of the data range per voxel
+    double gradient_soft_from = 0.002;  ///< gradients below this are unshaded, as a share of shading_range per voxel
     double gradient_soft_to = 0.02;     ///< gradients above this are fully shaded; smooth in between
     bool operator==(const VolumeOptics&) const = default;
 };
@@ -158,13 +158,13 @@ void visit_fields(Self& optics, Visitor&& visit) {
           optics.shininess);
     visit(Field{.name = "two_sided", .sentence = "light both sides of thin sheets"}, optics.two_sided);
     visit(Field{.name = "gradient_soft_from",
-                .sentence = "gradients below this share of the data range per voxel are left unshaded",
+                .sentence = "gradients below this share of the window per voxel are left unshaded",
                 .min = 0.0,
                 .max = 1.0,
                 .panel_max = 0.1},
           optics.gradient_soft_from);
     visit(Field{.name = "gradient_soft_to",
-                .sentence = "gradients above this share of the data range per voxel are fully shaded",
+                .sentence = "gradients above this share of the window per voxel are fully shaded",
                 .min = 0.0,
                 .max = 1.0,
                 .panel_max = 0.2},
@@ -204,7 +204,11 @@ struct Volume {
     Tracked<LightVolumeSettings> light_volume;
 };
 
-/// Data value at both ends of the transfer function: its window, else the data's range, widened if empty.
+/// Data value at both ends of the transfer function: its window, else the data's range without outliers, widened if
+/// empty.
 std::array<double, 2> effective_window(const Volume& volume);
+/// What a difference between samples is compared with before it is shaded as a surface: the width of the window, or of
+/// the data's range without outliers where that is less. 0 for constant data.
+double shading_range(const Volume& volume);
 
 }  // namespace bruma::scene

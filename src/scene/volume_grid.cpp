@@ -1,12 +1,15 @@
 #include "scene/volume_grid.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <cstring>
-#include <limits>
+
+#include "scene/robust_window.h"
 
 namespace bruma::scene {
 
@@ -18,43 +21,71 @@ double VolumeGrid::value(int i, int j, int k) const {
     return visit_voxels(*this, [index](auto samples) { return double(samples[index]); });
 }
 
-std::size_t finish_grid(VolumeGrid& grid) {
-    struct Range {
-        double smallest = std::numeric_limits<double>::infinity();
-        double largest = -std::numeric_limits<double>::infinity();
-        std::size_t broken = 0;
-    };
+std::uint64_t VolumeGrid::present_count() const {
+    return voxel_count() - std::uint64_t(std::count_if(absent.begin(), absent.end(), [](auto a) { return a != 0; }));
+}
+
+namespace {
+
+void set_range_of_bytes(VolumeGrid& grid) {
+    using Range = std::array<int, 2>;
     const Range range = visit_voxels(grid, [](auto samples) {
         return tbb::parallel_reduce(
-            tbb::blocked_range<std::size_t>(0, samples.size(), 1 << 16), Range{},
+            tbb::blocked_range<std::size_t>(0, samples.size(), 1 << 16), Range{INT_MAX, INT_MIN},
             [&](const auto& part, Range so_far) {
                 for (std::size_t n = part.begin(); n != part.end(); ++n) {
-                    const double value = double(samples[n]);
-                    if (!std::isfinite(value)) {
-                        ++so_far.broken;
-                        continue;
-                    }
-                    so_far.smallest = std::min(so_far.smallest, value);
-                    so_far.largest = std::max(so_far.largest, value);
+                    so_far = {std::min(so_far[0], int(samples[n])), std::max(so_far[1], int(samples[n]))};
                 }
                 return so_far;
             },
             [](const Range& a, const Range& b) {
-                return Range{std::min(a.smallest, b.smallest), std::max(a.largest, b.largest), a.broken + b.broken};
+                return Range{std::min(a[0], b[0]), std::max(a[1], b[1])};
             });
     });
-    const bool nothing_finite = range.smallest > range.largest;
-    grid.smallest = nothing_finite ? 0.0 : range.smallest;
-    grid.largest = nothing_finite ? 0.0 : range.largest;
-    if (range.broken > 0) {
-        auto* samples = reinterpret_cast<float*>(grid.voxels.data());
-        for (std::size_t n = 0; n < grid.voxel_count(); ++n) {
-            if (!std::isfinite(samples[n])) {
-                samples[n] = float(grid.smallest);
+    grid.smallest = range[0];
+    grid.largest = range[1];
+    grid.core = grid.suggested_window = {grid.smallest, grid.largest};
+}
+
+/// Marks what is absent and lets the lower end of the window stand in for it.
+void take_out(VolumeGrid& grid) {
+    grid.absent.assign(grid.voxel_count(), 0);
+    visit_voxels(grid, [&]<class Sample>(std::span<const Sample>) {
+        auto* const samples = reinterpret_cast<Sample*>(grid.voxels.data());
+        const auto stand_in = Sample(grid.suggested_window[0]);
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid.voxel_count(), 1 << 16), [&](const auto& part) {
+            for (std::size_t n = part.begin(); n != part.end(); ++n) {
+                const auto value = double(samples[n]);
+                const bool fill = std::any_of(grid.fills.begin(), grid.fills.end(),
+                                              [value](const FillValue& known) { return known.value == value; });
+                if (fill || !std::isfinite(value)) {
+                    grid.absent[n] = 1;
+                    samples[n] = stand_in;
+                }
             }
-        }
+        });
+    });
+}
+
+}  // namespace
+
+std::size_t finish_grid(VolumeGrid& grid, Fills fills) {
+    if (bytes_per_voxel(grid.type) == 1) {
+        set_range_of_bytes(grid);
+        return 0;
     }
-    return range.broken;
+    SampleRanks ranks(grid);
+    const RobustWindow robust = robust_window(ranks, fills);
+    grid.smallest = robust.smallest;
+    grid.largest = robust.largest;
+    grid.core = robust.core;
+    grid.suggested_window = robust.window;
+    grid.fills = robust.fills;
+    grid.nonfinite = ranks.nonfinite();
+    if (!grid.fills.empty() || grid.nonfinite > 0) {
+        take_out(grid);
+    }
+    return grid.nonfinite;
 }
 
 std::shared_ptr<const VolumeGrid> make_grid(std::string name, glm::ivec3 size, glm::dvec3 spacing,
@@ -85,9 +116,9 @@ std::shared_ptr<const VolumeGrid> make_grid_uint8(std::string name, glm::ivec3 s
     return grid;
 }
 
-Histogram histogram(const VolumeGrid& grid, int bins) {
-    Histogram result{grid.smallest, grid.largest, std::vector<std::uint64_t>(std::size_t(bins), 0)};
-    const double width = grid.largest - grid.smallest;
+Histogram histogram(const VolumeGrid& grid, int bins, std::array<double, 2> range) {
+    Histogram result{range[0], range[1], std::vector<std::uint64_t>(std::size_t(bins), 0)};
+    const double width = range[1] - range[0];
     const double bins_per_value = width > 0.0 ? bins / width : 0.0;
     using Counts = std::vector<std::uint64_t>;
     result.counts = visit_voxels(grid, [&](auto samples) {
@@ -95,8 +126,11 @@ Histogram histogram(const VolumeGrid& grid, int bins) {
             tbb::blocked_range<std::size_t>(0, samples.size(), 1 << 18), Counts(std::size_t(bins), 0),
             [&](const auto& part, Counts counts) {
                 for (std::size_t n = part.begin(); n != part.end(); ++n) {
-                    const int bin = int((double(samples[n]) - grid.smallest) * bins_per_value);
-                    ++counts[std::size_t(std::clamp(bin, 0, bins - 1))];
+                    if (grid.is_absent(n)) {
+                        continue;
+                    }
+                    const double bin = (double(samples[n]) - range[0]) * bins_per_value;
+                    ++counts[std::size_t(std::clamp(bin, 0.0, bins - 1.0))];
                 }
                 return counts;
             },

@@ -7,11 +7,12 @@ namespace bruma::scene {
 namespace {
 
 double transparent_share(const VolumeGrid& grid, const TransferFunction& tf) {
-    const double width = grid.largest - grid.smallest;
+    const std::array<double, 2> window = tf.window.value_or(grid.core);
+    const double width = window[1] - window[0];
     std::size_t transparent = 0;
     visit_voxels(grid, [&](auto samples) {
         for (const auto sample : samples) {
-            const double u = width > 0.0 ? (double(sample) - grid.smallest) / width : 1.0;
+            const double u = width > 0.0 ? (double(sample) - window[0]) / width : 1.0;
             transparent += opacity_at(tf, u) == 0.0 ? 1 : 0;
         }
     });

@@ -131,7 +131,7 @@ TEST(BuiltinSphere, IsRadiallySymmetricWithItsClosedForm) {
 
 TEST(BuiltinEngine, HasAirAluminiumAndSteelApart) {
     const auto grid = make_engine();
-    const Histogram h = histogram(*grid, 236);
+    const Histogram h = histogram(*grid, 236, {grid->smallest, grid->largest});
     const double air = double(h.counts.front());
     const double aluminium = double(h.counts[115]);  // 0.45 * 255 = 114.75
     const double steel = double(h.counts.back());

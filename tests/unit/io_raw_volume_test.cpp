@@ -7,8 +7,10 @@
 #include <cstring>
 #include <limits>
 
+#include "io/describe.h"
 #include "io/raw_name.h"
 #include "io_temporary_folder.h"
+#include "scene/builtin.h"
 
 namespace bruma::io {
 namespace {
@@ -180,16 +182,51 @@ TEST(RawVolume, TellsMissingFoldersAndEmptyFilesApart) {
     }
 }
 
-TEST(RawVolume, ReplacesAndReportsWhatIsNotFinite) {
+TEST(RawVolume, LeavesOutAndReportsWhatIsNotFinite) {
     const TemporaryFolder folder;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinite = std::numeric_limits<float>::infinity();
     const auto file = folder.write("n_2x2x1_float32.raw", bytes_of(std::vector<float>{nan, 2.0F, -infinite, 5.0F}));
     const LoadedVolume loaded = load_raw_volume(file, {});
-    EXPECT_EQ(loaded.replaced_nonfinite, 2U);
+    EXPECT_EQ(loaded.grid->nonfinite, 2U);
     EXPECT_EQ(loaded.grid->value(0, 0, 0), 2.0);
+    EXPECT_EQ(loaded.grid->absent, (std::vector<std::uint8_t>{1, 0, 1, 0}));
     ASSERT_EQ(loaded.remarks.size(), 1U);
-    EXPECT_TRUE(contains(loaded.remarks[0], "2 of 4 samples are not finite"));
+    EXPECT_TRUE(contains(loaded.remarks[0], "of 4 samples 2 are not finite"));
+    EXPECT_TRUE(contains(loaded.remarks[0], "drawn as nothing"));
+}
+
+TEST(RawVolume, NamesFillValuesAndSuggestsAWindowWithoutThem) {
+    const TemporaryFolder folder;
+    std::vector<std::int16_t> samples(4000, -32768);
+    for (int i = 0; i < 6000; ++i) {
+        samples.push_back(std::int16_t(-1024 + 4095 * i / 5999));
+    }
+    const auto file = folder.write("ct_100x10x10_int16.raw", bytes_of(samples));
+    const LoadedVolume loaded = load_raw_volume(file, {});
+    EXPECT_EQ(loaded.grid->smallest, -1024.0);
+    ASSERT_FALSE(loaded.remarks.empty());
+    EXPECT_TRUE(contains(loaded.remarks[0], "of 10000 samples 4000 hold the fill value -32768"));
+    const std::string text = describe_file(file.string(), {});
+    EXPECT_TRUE(contains(text, "range    -1024 to 3071")) << text;
+    EXPECT_TRUE(contains(text, "fill     -32768: 4000 samples (40 %)")) << text;
+    EXPECT_TRUE(contains(text, "window   -1021 to 3066 suggested")) << text;
+    const auto tf = scene::suggested_transfer_function(*loaded.grid);
+    ASSERT_TRUE(tf.window);
+    EXPECT_EQ(tf.window, (std::array<double, 2>{-1021.0, 3066.0}));
+}
+
+TEST(RawVolume, AConstantIsAFaintHaze) {
+    const TemporaryFolder folder;
+    for (const char* name : {"c_8x8x8_uint8.raw", "c_8x8x4_int16.raw"}) {
+        const LoadedVolume loaded = load_raw_volume(folder.write(name, std::string(512, '\7')), {});
+        const auto tf = scene::suggested_transfer_function(*loaded.grid);
+        const glm::dvec3 extent = loaded.grid->extent();
+        const double depth = scene::extinction_of_opacity(scene::opacity_at(tf, 0.5), tf.reference_length) * extent.x;
+        EXPECT_LT(depth, 0.5) << "most of the light passes";
+        ASSERT_EQ(loaded.remarks.size(), 1U);
+        EXPECT_TRUE(contains(loaded.remarks[0], "drawn as a faint haze"));
+    }
 }
 
 TEST(RawVolume, LoadsOneSampleAndSaysThatItIsConstant) {

@@ -10,7 +10,7 @@ void VolumeHistogram::update(const std::shared_ptr<const scene::VolumeGrid>& gri
         return;
     }
     grid_ = grid;
-    counted_ = scene::histogram(*grid, bins);
+    counted_ = scene::histogram(*grid, bins, grid->core);
     fullest_ = 1.0;
     for (std::size_t n = 1; n + 1 < counted_.counts.size(); ++n) {
         fullest_ = std::max(fullest_, double(counted_.counts[n]));

@@ -71,8 +71,11 @@ Variants march_variants() {
     // Sky and clouds stand in for what is behind, whatever the march does.
     const Variants behind = with_and_without({"OPAQUE"}) * with_and_without({"SKY"}) *
                             Variants{{{"VOLUMES", "1"}, {"CLOUDS", "2"}}} * shafts;
-    return (Variants{{}} + lit_variants()) * march + Variants{{{"VOLUMES", "1"}, {"SKY", ""}}} + behind +
-           behind * lit_variants() * shadows_of_clouds;
+    const Variants from_voxels =
+        lamps * Variants{{{"LIT", ""}, {"REFLECT", ""}, {"GRADIENTS_FROM_VOXELS", ""}}} * with_and_without({"HOLES"});
+    const Variants holes = one_or_two_volumes * sampling * Variants{{{"HOLES", ""}, {"LEAP", ""}}};
+    return (Variants{{}} + lit_variants()) * (march + holes) + Variants{{{"VOLUMES", "1"}, {"SKY", ""}}} + behind +
+           one_or_two_volumes * from_voxels + behind * lit_variants() * shadows_of_clouds;
 }
 
 Variants mesh_variants() {
@@ -105,7 +108,7 @@ Variants cloud_march_variants() {
 
 Variants path_trace_variants() {
     const Variants lights{{{"LIGHTS", "0"}}, {{"LIGHTS", "2"}}, {{"LIGHTS", "5"}}};
-    return one_or_two_volumes * lights * with_and_without({"GLOW"});
+    return one_or_two_volumes * lights * with_and_without({"GLOW"}) * with_and_without({"HOLES"});
 }
 
 const Variants from_both = with_and_without({"FROM_POINT"});
@@ -121,7 +124,7 @@ Variants light_combine_variants() {
 }
 
 Variants light_rays_variants() {
-    return from_both *
+    return from_both * with_and_without({"HOLES"}) *
            Variants{
                {{"VOLUMES", "1"}, {"SAMPLE_AT_MIDPOINTS", ""}, {"LEAP", ""}, {"STOP_EARLY", ""}, {"FORMAT", "r16f"}}};
 }
@@ -141,7 +144,7 @@ std::vector<gl::Defines> shader_variants(const std::string& file) {
         {"cloud_shafts.comp", [] { return shadows_of_clouds; }},
         {"cloud_sun.comp", [] { return each_or_none(cloud_field); }},
         {"light_combine.comp", light_combine_variants},
-        {"light_medium.comp", [] { return with_and_without({"ALBEDO"}); }},
+        {"light_medium.comp", [] { return with_and_without({"ALBEDO"}) * with_and_without({"HOLES"}); }},
         {"light_rays.comp", light_rays_variants},
         {"light_sweep.comp", light_sweep_variants},
         {"mesh.frag", mesh_variants},

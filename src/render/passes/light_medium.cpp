@@ -20,8 +20,14 @@ void make_light_medium(gl::ShaderLibrary& shaders, const VolumeTexture& voxels, 
     const gl::Texture optics = optics_texture(tables);
     medium.extinction = gl::Texture::make_3d("extinction for light", GL_R32F, p.grid.cells);
     medium.albedo = p.with_albedo ? gl::Texture::make_3d("albedo for light", GL_RGBA16F, p.grid.cells) : gl::Texture();
-    gl::Program& program =
-        shaders.get("light_medium.comp", p.with_albedo ? gl::Defines{{"ALBEDO", ""}} : gl::Defines{});
+    gl::Defines defines;
+    if (p.with_albedo) {
+        defines["ALBEDO"] = "";
+    }
+    if (voxels.holes) {
+        defines["HOLES"] = "";
+    }
+    gl::Program& program = shaders.get("light_medium.comp", defines);
     const auto [low, per_cell] = cells_in_texture(glm::inverse(p.cells_from_texture));
     voxels.texture.bind(0);
     optics.bind(1);

@@ -33,7 +33,7 @@ void stack_textures(const PassAccess& access, const std::vector<Handle<LightText
     GLint deepest = 0;
     glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &deepest);
     if (slab.z * int(parts.size()) > deepest) {
-        throw InputError(
+        throw MachineError(
             fmt::format("nodes.{}: the light volumes of {} lights, {} cells deep each, exceed the driver's {} in one "
                         "texture; switch lights off or choose a coarser light_volume.resolution",
                         node, parts.size(), slab.z, deepest));

@@ -54,8 +54,19 @@ void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const 
     graph_.set_source(shader_revision_, 0, shaders_.revision());
 
     const double skipped = skipped_distance(**scene.camera, scene::world_bounds(scene));
-    Parameters parameters{
-        view, *scene.rendering, step_world * view.step_scale, skipped, opaque, clouds, {}, {}, false, sky, shafts, {}};
+    Parameters parameters{view,
+                          *scene.rendering,
+                          step_world * view.step_scale,
+                          skipped,
+                          opaque,
+                          clouds,
+                          {},
+                          {},
+                          false,
+                          gradients_stored_,
+                          sky,
+                          shafts,
+                          {}};
     const std::vector<std::string> shining = order_lights(scene);
     std::vector<int> reads{camera_.index, background_.index, shader_revision_.index};
     for (const int behind : {opaque.index, sky.index, shafts.index}) {
@@ -68,7 +79,6 @@ void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const 
     }
     for (const auto& [name, passes] : volumes) {
         const auto& volume = std::get<scene::Volume>(scene.nodes.at(name).content);
-        const scene::VolumeGrid& grid = **volume.grid;
         VolumeInput input{passes->voxels,
                           passes->gradients,
                           passes->tables,
@@ -78,7 +88,7 @@ void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const 
                           *volume.optics,
                           scene::effective_window(volume),
                           volume.optics->density_scale / volume.transfer_function->reference_length,
-                          grid.largest > grid.smallest ? grid.largest - grid.smallest : 1.0,
+                          scene::shading_range(volume),
                           *volume.light_volume,
                           {},
                           {},
@@ -88,7 +98,7 @@ void MarchPass::update(const scene::Scene& scene, const Volumes& volumes, const 
             reads.push_back(input.emptiness.index);
         }
         parameters.lit = parameters.lit || input.optics.lighting != scene::VolumeLighting::none;
-        if (reflects(input.optics)) {
+        if (reflects(input.optics) && gradients_stored_) {
             reads.push_back(input.gradients.index);
         }
         if (const auto found = lights.find(name); found != lights.end()) {
@@ -140,6 +150,11 @@ gl::Program& MarchPass::program(const PassAccess& access, const Parameters& para
         return shaders_.get("background.frag", defines);
     }
     defines["VOLUMES"] = std::to_string(parameters.volumes.size());
+    for (const VolumeInput& input : parameters.volumes) {
+        if (access.read(input.voxels).holes) {
+            defines["HOLES"] = "";
+        }
+    }
     if (parameters.lit) {
         defines["LIT"] = "";
         count_lights(defines, parameters.lights);
@@ -156,6 +171,9 @@ gl::Program& MarchPass::program(const PassAccess& access, const Parameters& para
             if (reflects(input.optics)) {
                 shadings.insert({input.optics.two_sided, input.optics.highlight == scene::Highlight::blinn_phong});
                 defines[scene::scatters(input.optics.lighting) ? "SURFACES" : "REFLECT"] = "";
+                if (!parameters.gradients_stored) {
+                    defines["GRADIENTS_FROM_VOXELS"] = "";
+                }
                 if (input.optics.specular > 0.0) {
                     defines["HIGHLIGHTS"] = "";
                 }

@@ -44,6 +44,11 @@ class MarchPass {
     void update(const scene::Scene& scene, const Volumes& volumes, const Lights& lights, Handle<OpaquePicture> opaque,
                 const std::vector<Handle<CloudPicture>>& clouds, const View& view, double step_world,
                 Handle<SkyPicture> sky = {}, Handle<CloudShafts> shafts = {}, const CloudShadows& shadows = {});
+    /// Whether gradients come from a texture of their own, or from the samples at each look. From the next update on.
+    void store_gradients(bool stored) { gradients_stored_ = stored; }
+
+    /// Whether the volume's surfaces are shaded by the gradient of its data.
+    static bool reflects(const scene::VolumeOptics& optics);
 
     Handle<Picture> picture;
     Handle<SampleCounts> counts;
@@ -59,7 +64,7 @@ class MarchPass {
         scene::VolumeOptics optics;
         std::array<double, 2> window{0.0, 1.0};
         double tau_per_sigma_metre = 1.0;  ///< density / reference length
-        double data_range = 1.0;
+        double shading_range = 1.0;
         scene::LightVolumeSettings light_volume;
         LightGrid light_grid;
         Handle<LightTextures> light;   ///< index -1: none, or the volume does not scatter
@@ -75,7 +80,8 @@ class MarchPass {
         std::vector<Handle<CloudPicture>> clouds;
         std::vector<VolumeInput> volumes;
         std::vector<scene::Light> lights;
-        bool lit = false;  ///< lights matter
+        bool lit = false;              ///< lights matter
+        bool gradients_stored = true;  ///< else they are worked out from the voxels
         Handle<SkyPicture> sky;
         Handle<CloudShafts> shafts;
         CloudShadows shadows;  ///< none where no volume is lit
@@ -84,8 +90,6 @@ class MarchPass {
 
     void draw(const PassAccess& access, const Parameters& parameters, bool counting);
     gl::Program& program(const PassAccess& access, const Parameters& parameters, bool counting);
-    /// Whether the volume's surfaces are shaded by the gradient of its data.
-    static bool reflects(const scene::VolumeOptics& optics);
     void bind_light(const PassAccess& access, gl::Program& program, const Parameters& parameters, int index,
                     GLuint& unit) const;
     void bind_volume(const PassAccess& access, gl::Program& program, const Parameters& parameters, int index,
@@ -99,6 +103,7 @@ class MarchPass {
     Handle<scene::Background> background_;
     Handle<int> shader_revision_;
     PassId march_, count_;
+    bool gradients_stored_ = true;
 };
 
 }  // namespace bruma::render

@@ -84,22 +84,32 @@ void MarchPass::bind_volume(const PassAccess& access, gl::Program& program, cons
         bind_light(access, program, parameters, index, unit);
     }
     if (reflects(input.optics)) {
-        const GradientTexture& gradients = access.read(input.gradients);
-        bind("gradients", gradients.texture);
+        double difference_per_texel = voxels.value_of_one - voxels.value_of_zero;
+        double texel_of_zero = 0.0;
+        if (parameters.gradients_stored) {
+            const GradientTexture& gradients = access.read(input.gradients);
+            bind("gradients", gradients.texture);
+            difference_per_texel = gradients.difference_per_texel;
+            texel_of_zero = gradients.texel_of_zero;
+        } else {
+            bind("gradients", gl::Texture());
+            program.set_at("volume_uniforms", index, ".samples", glm::vec3(voxels.texture.size()));
+        }
         const glm::dvec3 size(voxels.texture.size());
         double smallest_edge = 1e300;
         for (int k = 0; k < 3; ++k) {
             smallest_edge = std::min(smallest_edge, glm::length(glm::dvec3(input.world_from_texture[k])) / size[k]);
         }
-        // Per voxel -> per texture unit -> per metre (inverse transpose) -> data ranges per smallest voxel edge.
+        // Per voxel -> per texture unit -> per metre (inverse transpose) -> ranges of shading per smallest voxel edge.
+        const double range = input.shading_range > 0.0 ? input.shading_range : 1.0;
         glm::dmat3 scale(1.0);
         for (int k = 0; k < 3; ++k) {
             scale[k][k] = size[k];
         }
         const glm::dmat3 world_from_gradient =
-            glm::transpose(linear) * scale * (gradients.difference_per_texel * smallest_edge / input.data_range);
+            glm::transpose(linear) * scale * (difference_per_texel * smallest_edge / range);
         program.set_at("volume_uniforms", index, ".world_from_gradient", glm::mat3(world_from_gradient));
-        program.set_at("volume_uniforms", index, ".gradient_zero", glm::vec3(float(gradients.texel_of_zero)));
+        program.set_at("volume_uniforms", index, ".gradient_zero", glm::vec3(float(texel_of_zero)));
     } else if (parameters.lit) {
         bind("gradients", gl::Texture());
     }

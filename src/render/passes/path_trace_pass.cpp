@@ -230,6 +230,9 @@ gl::Program& PathTracePass::prepare(const PassAccess& access, const Parameters& 
         if (access.read(input.tables).glow) {
             defines["GLOW"] = "";
         }
+        if (access.read(input.voxels).holes) {
+            defines["HOLES"] = "";
+        }
     }
     gl::Program& program = shaders_.get("path_trace.comp", defines);
     const scene::Camera& camera = access.read(camera_);

@@ -17,6 +17,9 @@ gl::Texture trace_shadow_rays(gl::ShaderLibrary& shaders, const VolumeTexture& v
     if (plan.from_point) {
         defines["FROM_POINT"] = "";
     }
+    if (voxels.holes) {
+        defines["HOLES"] = "";
+    }
     gl::Program& program = shaders.get("light_rays.comp", defines);
     const glm::dmat4 texture_from_world = glm::inverse(rays.world_from_texture);
     const glm::dmat4 texture_from_cells = texture_from_world * plan.grid.world_from_cells;

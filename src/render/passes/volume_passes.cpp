@@ -48,11 +48,7 @@ VolumePasses::VolumePasses(FrameGraph& graph, const std::string& name) : graph_(
                                   access.note(fmt::format("{} x {} x {}", grid->size.x, grid->size.y, grid->size.z));
                               }});
     differentiate_ = graph.add_pass(
-        {name + ": differentiate",
-         "central differences for lighting",
-         {grid_.index},
-         {gradients.index},
-         [this](const PassAccess& access) { access.write(gradients) = make_gradient_texture(*access.read(grid_)); }});
+        {name + ": differentiate", "central differences for lighting", {grid_.index}, {gradients.index}, {}});
     range_ = graph.add_pass({name + ": cell ranges",
                              "smallest and largest value in each macrocell",
                              {grid_.index},
@@ -96,6 +92,12 @@ void VolumePasses::update(const scene::Volume& volume, const scene::RenderSettin
         out.depth = upload_1d("depth table", GL_RG32F, GL_RG, out.tables.depth.data());
         out.source = upload_2d("source table", out.tables.source);
         out.glow = upload_2d("glow table", out.tables.glow);
+    });
+
+    const GradientStorage storage = gradient_storage(volume);
+    graph_.set_parameters(differentiate_, storage);
+    graph_.set_execute(differentiate_, [this, storage](const PassAccess& access) {
+        access.write(gradients) = make_gradient_texture(*access.read(grid_), storage);
     });
 
     const WindowParameters window{scene::effective_window(volume)};
