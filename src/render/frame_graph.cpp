@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <stdexcept>
 
 namespace bruma::render {
@@ -16,66 +17,75 @@ bool contains(const std::vector<int>& list, int value) {
 }  // namespace
 
 void PassAccess::note(std::string words) const {
-    graph_.passes_[std::size_t(pass_)].note = std::move(words);
+    graph_.passes_.at(pass_).note = std::move(words);
 }
 
 int FrameGraph::add_resource(std::string name) {
-    resources_.push_back({std::move(name), 0, -1, nullptr, nullptr});
-    return int(resources_.size()) - 1;
+    return resources_.add({std::move(name), 0, -1, nullptr, nullptr});
 }
 
 PassId FrameGraph::add_pass(Pass pass) {
-    const int index = int(passes_.size());
     for (const int written : pass.writes) {
-        Resource& resource = resources_.at(std::size_t(written));
+        const Resource& resource = resources_.at(written);
         if (resource.writer >= 0) {
             throw std::logic_error(fmt::format("'{}' is written by '{}' already, so '{}' cannot write it",
-                                               resource.name, passes_[std::size_t(resource.writer)].pass.name,
-                                               pass.name));
+                                               resource.name, passes_.at(resource.writer).pass.name, pass.name));
         }
         if (!resource.make) {
             throw std::logic_error(fmt::format("'{}' is a source; '{}' cannot write it", resource.name, pass.name));
         }
-        resource.writer = index;
     }
+    const std::vector<int> writes = pass.writes;
     Node node;
     node.pass = std::move(pass);
-    passes_.push_back(std::move(node));
+    const int index = passes_.add(std::move(node));
+    for (const int written : writes) {
+        resources_.at(written).writer = index;
+    }
     return {index};
 }
 
 void FrameGraph::set_reads(PassId pass, std::vector<int> reads) {
-    passes_.at(std::size_t(pass.index)).pass.reads = std::move(reads);
+    passes_.at(pass.index).pass.reads = std::move(reads);
 }
 
 void FrameGraph::remove_pass(PassId pass) {
-    Node& node = passes_.at(std::size_t(pass.index));
-    for (const int written : node.pass.writes) {
-        resources_[std::size_t(written)] = Resource{};
+    for (const int written : passes_.at(pass.index).pass.writes) {
+        resources_.remove(written);
     }
-    node = Node{};
-    node.alive = false;
+    passes_.remove(pass.index);
+}
+
+std::string FrameGraph::name_of(int resource) const {
+    const Resource* const found = resources_.find(resource);
+    return found ? found->name : "what was removed";
+}
+
+Revision FrameGraph::revision_or_none(int resource) const {
+    const Resource* const found = resources_.find(resource);
+    return found ? found->revision : 0;
 }
 
 std::vector<int> FrameGraph::order_of_needed(const std::vector<int>& wanted) const {
     enum class Mark { fresh, open, done };
-    std::vector<Mark> marks(passes_.size(), Mark::fresh);
+    std::map<int, Mark> marks;
     std::vector<int> order;
     // Depth first: a pass comes after the writers of all that it reads.
     const std::function<void(int)> visit = [&](int resource) {
-        const int writer = resources_.at(std::size_t(resource)).writer;
-        if (writer < 0 || marks[std::size_t(writer)] == Mark::done) {
+        const Resource* const found = resources_.find(resource);
+        const int writer = found ? found->writer : -1;
+        if (writer < 0 || marks[writer] == Mark::done) {
             return;
         }
-        const Node& node = passes_[std::size_t(writer)];
-        if (marks[std::size_t(writer)] == Mark::open) {
+        const Node& node = passes_.at(writer);
+        if (marks[writer] == Mark::open) {
             throw std::logic_error(fmt::format("'{}' needs its own output", node.pass.name));
         }
-        marks[std::size_t(writer)] = Mark::open;
+        marks[writer] = Mark::open;
         for (const int read : node.pass.reads) {
             visit(read);
         }
-        marks[std::size_t(writer)] = Mark::done;
+        marks[writer] = Mark::done;
         order.push_back(writer);
     };
     for (const int resource : wanted) {
@@ -89,8 +99,8 @@ std::string FrameGraph::reason_to_run(const Node& node) const {
         return "first run";
     }
     for (const int written : node.pass.writes) {
-        if (!resources_[std::size_t(written)].value) {
-            return fmt::format("{} had been let go", resources_[std::size_t(written)].name);
+        if (!resources_.at(written).value) {
+            return fmt::format("{} had been let go", name_of(written));
         }
     }
     if (node.pass.reads != node.seen_reads) {
@@ -98,9 +108,8 @@ std::string FrameGraph::reason_to_run(const Node& node) const {
     }
     std::string newer;
     for (std::size_t n = 0; n < node.pass.reads.size(); ++n) {
-        const Resource& resource = resources_[std::size_t(node.pass.reads[n])];
-        if (resource.revision != node.seen[n]) {
-            newer += (newer.empty() ? "" : ", ") + resource.name;
+        if (revision_or_none(node.pass.reads[n]) != node.seen[n]) {
+            newer += (newer.empty() ? "" : ", ") + name_of(node.pass.reads[n]);
         }
     }
     if (!newer.empty()) {
@@ -111,9 +120,9 @@ std::string FrameGraph::reason_to_run(const Node& node) const {
 }
 
 void FrameGraph::execute(int index, const std::string& reason, const Stopwatch& stopwatch) {
-    Node& node = passes_[std::size_t(index)];
+    Node& node = passes_.at(index);
     for (const int written : node.pass.writes) {
-        Resource& resource = resources_[std::size_t(written)];
+        Resource& resource = resources_.at(written);
         if (!resource.value) {
             resource.value = resource.make();
         }
@@ -133,12 +142,12 @@ void FrameGraph::execute(int index, const std::string& reason, const Stopwatch& 
     report.note = node.note;
     report_.push_back(std::move(report));
     for (const int written : node.pass.writes) {
-        resources_[std::size_t(written)].revision = next_revision();
+        resources_.at(written).revision = next_revision();
     }
     node.seen_reads = node.pass.reads;
     node.seen.clear();
     for (const int read : node.pass.reads) {
-        node.seen.push_back(resources_[std::size_t(read)].revision);
+        node.seen.push_back(revision_or_none(read));
     }
     node.last_parameters = node.parameters;
     node.has_run = true;
@@ -148,22 +157,22 @@ const RunReport& FrameGraph::run(const std::vector<int>& wanted, const Stopwatch
     report_.clear();
     const std::vector<int> order = order_of_needed(wanted);
     for (const int index : order) {
-        const std::string reason = reason_to_run(passes_[std::size_t(index)]);
+        const std::string reason = reason_to_run(passes_.at(index));
         if (!reason.empty()) {
             execute(index, reason, stopwatch);
         } else {
-            const Node& node = passes_[std::size_t(index)];
+            const Node& node = passes_.at(index);
             report_.push_back(
                 {node.pass.name, node.pass.sentence, false, "nothing it reads is newer", 0.0, -1.0, node.note});
         }
     }
-    for (std::size_t index = 0; index < passes_.size(); ++index) {
-        const Node& node = passes_[index];
-        if (!node.alive || contains(order, int(index))) {
+    for (const int index : passes_.indices()) {
+        if (contains(order, index)) {
             continue;
         }
+        const Node& node = passes_.at(index);
         for (const int written : node.pass.writes) {
-            resources_[std::size_t(written)].value.reset();
+            resources_.at(written).value.reset();
         }
         report_.push_back({node.pass.name, node.pass.sentence, false, "nothing needs it", 0.0, -1.0, ""});
     }
@@ -171,31 +180,34 @@ const RunReport& FrameGraph::run(const std::vector<int>& wanted, const Stopwatch
 }
 
 const std::shared_ptr<void>& FrameGraph::declared(int resource, int pass, bool as_output) const {
-    const Node& node = passes_[std::size_t(pass)];
+    const Node& node = passes_.at(pass);
     if (!contains(as_output ? node.pass.writes : node.pass.reads, resource)) {
         throw std::logic_error(fmt::format("'{}' did not declare that it {} '{}'", node.pass.name,
-                                           as_output ? "writes" : "reads",
-                                           resource < 0 ? "?" : resources_[std::size_t(resource)].name));
+                                           as_output ? "writes" : "reads", resource < 0 ? "?" : name_of(resource)));
     }
-    const Resource& found = resources_[std::size_t(resource)];
-    if (!found.value) {
-        throw std::logic_error(fmt::format("'{}' reads '{}', which has no value yet", node.pass.name, found.name));
+    const Resource* const found = resources_.find(resource);
+    if (!found || !found->value) {
+        throw std::logic_error(
+            fmt::format("'{}' reads '{}', which has no value yet", node.pass.name, name_of(resource)));
     }
-    return found.value;
+    return found->value;
 }
 
 std::string FrameGraph::drawing() const {
     std::string text = "digraph bruma {\n  rankdir=LR;\n";
-    for (const Node& node : passes_) {
-        if (!node.alive) {
-            continue;
-        }
-        text += fmt::format("  \"{}\" [shape=box];\n", node.pass.name);
+    for (const int index : resources_.indices()) {
+        text += fmt::format("  resource{} [label=\"{}\"];\n", index, name_of(index));
+    }
+    for (const int index : passes_.indices()) {
+        const Node& node = passes_.at(index);
+        text += fmt::format("  pass{} [shape=box, label=\"{}\"];\n", index, node.pass.name);
         for (const int read : node.pass.reads) {
-            text += fmt::format("  \"{}\" -> \"{}\";\n", resources_[std::size_t(read)].name, node.pass.name);
+            if (resources_.find(read)) {
+                text += fmt::format("  resource{} -> pass{};\n", read, index);
+            }
         }
         for (const int written : node.pass.writes) {
-            text += fmt::format("  \"{}\" -> \"{}\";\n", node.pass.name, resources_[std::size_t(written)].name);
+            text += fmt::format("  pass{} -> resource{};\n", index, written);
         }
     }
     return text + "}\n";

@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "base/revision.h"
+#include "base/slots.h"
 
 namespace bruma::render {
 
-/// Names a resource of type T in a FrameGraph.
+/// Names a resource of type T in a FrameGraph. Below 0 it names none; the index of a resource that was removed names
+/// none either, also when another has taken its place.
 template <class T>
 struct Handle {
     int index = -1;
@@ -79,7 +81,7 @@ class FrameGraph {
     /// Gives a source its value; the value is taken only if the revision differs from the last one.
     template <class T>
     void set_source(Handle<T> handle, const T& value, Revision revision) {
-        Resource& resource = resources_.at(std::size_t(handle.index));
+        Resource& resource = resources_.at(handle.index);
         if (resource.revision != revision) {
             resource.value = std::make_shared<T>(value);
             resource.revision = revision;
@@ -88,7 +90,7 @@ class FrameGraph {
     template <class T>
     Handle<T> add_product(std::string name) {
         const Handle<T> handle{add_resource(std::move(name))};
-        resources_.back().make = [] { return std::shared_ptr<void>(std::make_shared<T>()); };
+        resources_.at(handle.index).make = [] { return std::shared_ptr<void>(std::make_shared<T>()); };
         return handle;
     }
     PassId add_pass(Pass pass);
@@ -96,13 +98,13 @@ class FrameGraph {
     void set_reads(PassId pass, std::vector<int> reads);
     /// What a pass does, when that depends on its parameters.
     void set_execute(PassId pass, std::function<void(const PassAccess&)> execute) {
-        passes_.at(std::size_t(pass.index)).pass.execute = std::move(execute);
+        passes_.at(pass.index).pass.execute = std::move(execute);
     }
     /// Parameters of a pass: it reruns when they differ (operator==) from those of its last run, whatever was set and
     /// taken back in between.
     template <class P>
     void set_parameters(PassId pass, const P& parameters) {
-        Node& node = passes_.at(std::size_t(pass.index));
+        Node& node = passes_.at(pass.index);
         node.parameters = parameters;
         node.same_parameters = [](const std::any& last, const std::any& next) {
             const auto* a = std::any_cast<P>(&last);
@@ -112,7 +114,7 @@ class FrameGraph {
     }
     /// Takes a pass and what it writes out of the graph.
     void remove_pass(PassId pass);
-    void remove_source(int resource) { resources_.at(std::size_t(resource)) = Resource{}; }
+    void remove_source(int resource) { resources_.remove(resource); }
 
     /// Brings the wanted products up to date. If a pass throws, it and all behind it stay stale, and the exception
     /// goes on to the caller.
@@ -121,12 +123,14 @@ class FrameGraph {
 
     template <class T>
     const T* product(Handle<T> handle) const {
-        return static_cast<const T*>(resources_.at(std::size_t(handle.index)).value.get());
+        return static_cast<const T*>(resources_.at(handle.index).value.get());
     }
-    Revision revision(int resource) const { return resources_.at(std::size_t(resource)).revision; }
+    Revision revision(int resource) const { return resources_.at(resource).revision; }
 
-    /// The graph as a Graphviz drawing.
+    /// The graph as a Graphviz drawing; resources of equal names stay apart.
     std::string drawing() const;
+    /// How many places for resources and passes there are: as many as lived at once, however many came and went.
+    std::size_t places() const { return resources_.places() + passes_.places(); }
 
   private:
     friend class PassAccess;
@@ -139,7 +143,6 @@ class FrameGraph {
     };
     struct Node {
         Pass pass;
-        bool alive = true;
         std::any parameters;                                                            ///< for the next run
         std::any last_parameters;                                                       ///< of the last run
         bool (*same_parameters)(const std::any& last, const std::any& next) = nullptr;  ///< null: it has none
@@ -151,12 +154,14 @@ class FrameGraph {
 
     int add_resource(std::string name);
     std::vector<int> order_of_needed(const std::vector<int>& wanted) const;
+    std::string name_of(int resource) const;
+    Revision revision_or_none(int resource) const;
     std::string reason_to_run(const Node& node) const;
     void execute(int index, const std::string& reason, const Stopwatch& stopwatch);
     const std::shared_ptr<void>& declared(int resource, int pass, bool as_output) const;
 
-    std::vector<Resource> resources_;
-    std::vector<Node> passes_;
+    Slots<Resource> resources_;
+    Slots<Node> passes_;
     RunReport report_;
 };
 

@@ -59,11 +59,14 @@ gl::Texture coverage_table(const gl::Texture& shape, bool packed) {
 CloudNoisePass::CloudNoisePass(FrameGraph& graph, gl::ShaderLibrary& shaders, scene::NoisePacking packing)
     : graph_(graph), shaders_(shaders), packing_(packing) {
     const std::string name = packing == scene::NoisePacking::packed ? "cloud_noise packed" : "cloud_noise";
+    shader_revision_ = graph.add_source<int>("cloud noise shader");
     noise = graph.add_product<CloudNoise>(name);
-    pass_ = graph.add_pass({name, "tileable noise that clouds are made of", {}, {noise.index}, {}});
+    pass_ =
+        graph.add_pass({name, "tileable noise that clouds are made of", {shader_revision_.index}, {noise.index}, {}});
 }
 
 void CloudNoisePass::update(bool with_coverage_table) {
+    graph_.set_source(shader_revision_, 0, shaders_.revision());
     graph_.set_parameters(pass_, with_coverage_table);
     graph_.set_execute(pass_,
                        [this, with_coverage_table](const PassAccess& access) { make(access, with_coverage_table); });
@@ -71,15 +74,17 @@ void CloudNoisePass::update(bool with_coverage_table) {
 
 void CloudNoisePass::remove() {
     graph_.remove_pass(pass_);
+    graph_.remove_source(shader_revision_.index);
 }
 
 void CloudNoisePass::make(const PassAccess& access, bool with_coverage_table) {
     const bool packed = packing_ == scene::NoisePacking::packed;
     CloudNoise& out = access.write(noise);
-    if (!out.shape) {
+    if (!out.shape || made_with_ != graph_.revision(shader_revision_.index)) {
         out.shape = made(shaders_, false, packed);
         out.detail = made(shaders_, true, packed);
         glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+        made_with_ = graph_.revision(shader_revision_.index);
     }
     out.coverage = with_coverage_table ? coverage_table(out.shape, packed) : gl::Texture();
     access.note("128^3 and 32^3 texels");

@@ -28,6 +28,8 @@ class CloudNoisePass {
     FrameGraph& graph_;
     gl::ShaderLibrary& shaders_;
     scene::NoisePacking packing_;
+    Handle<int> shader_revision_;
+    Revision made_with_ = 0;  ///< of the shaders
     PassId pass_;
 };
 
