@@ -184,14 +184,6 @@ void SceneArguments::declare(CLI::App& app, bool with_view) {
     refuse_empty_words(app, words);
 }
 
-std::vector<std::string> SceneArguments::all_settings() const {
-    std::vector<std::string> all = settings;
-    if (common_coordinates) {
-        all.insert(all.begin(), "placement.common_coordinates=true");
-    }
-    return all;
-}
-
 scene::VolumeSource SceneArguments::hints() const {
     const std::array<std::pair<const char*, const std::string&>, 5> given{
         {{"--dims", dims}, {"--type", type}, {"--spacing", spacing}, {"--offset", offset}, {"--endian", endian}}};
@@ -243,6 +235,9 @@ scene::VolumeSource SceneArguments::hints() const {
 
 std::vector<std::string> SceneArguments::all_settings() const {
     std::vector<std::string> all = settings;
+    if (common_coordinates) {
+        all.insert(all.begin(), "placement.common_coordinates=true");
+    }
     if (time_s) {
         const scene::Timeline timeline;
         scene::visit_fields(timeline, [&](const scene::Field& field, const auto&) {

@@ -22,12 +22,10 @@ struct SceneArguments {
     bool common_coordinates = false;
 
     void declare(CLI::App& app, bool with_view);
-    /// Those of --set, behind those that other options stand for.
-    std::vector<std::string> all_settings() const;
     /// Throws InputError for words that are no layout.
     scene::VolumeSource hints() const;
     glm::ivec2 pixels() const;
-    /// `settings` and, as the last of them, the moment of --time. Throws InputError for what is no moment.
+    /// `settings` between those that --common-coordinates and --time stand for. Throws InputError for what is no moment.
     std::vector<std::string> all_settings() const;
 };
 
