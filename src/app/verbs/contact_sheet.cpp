@@ -7,6 +7,7 @@
 
 #include "app/exposure.h"
 #include "base/error.h"
+#include "base/log.h"
 
 namespace bruma::app {
 
@@ -48,8 +49,12 @@ io::Picture8 draw_sheet(const ContactSheet& sheet, const SceneArguments& argumen
             }
             scene::Scene scene = open_scene(one);
             renderer.render(scene, {tile, 1.0});
-            if (const auto ev = sheet.auto_exposure ? suitable_exposure_ev(renderer.read_picture()) : std::nullopt) {
-                scene.display.edit([&](scene::Display& display) { display.exposure_ev = *ev; });
+            if (const auto suitable =
+                    sheet.auto_exposure ? suitable_exposure(renderer.read_picture(), scene) : std::nullopt) {
+                scene.display.edit([&](scene::Display& display) { display.exposure_ev = suitable->ev; });
+                if (suitable->limited) {
+                    log_warning("--auto-exposure: row {}, column {}: {}", row + 1, column + 1, limit_words(*suitable));
+                }
             }
             const std::vector<std::uint8_t> picture = presenter.read(renderer.picture(), *scene.display);
             for (int y = 0; y < tile.y; ++y) {
