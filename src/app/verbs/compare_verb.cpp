@@ -1,15 +1,21 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
+#include "app/exposure.h"
 #include "app/verbs/verbs.h"
 #include "base/error.h"
+#include "base/log.h"
 #include "io/atomic_file.h"
 #include "io/picture_file.h"
+#include "measure/flip.h"
 #include "measure/heatmap.h"
 #include "measure/image_error.h"
+#include "scene/tone_map.h"
 
 namespace bruma::app {
 namespace {
@@ -19,16 +25,60 @@ struct CompareArguments {
     std::string heatmap;
     double full_scale = 0.1;
     double tolerance = -1.0;
+    std::optional<double> exposure_ev;
+    std::string tone_map;
+
+    bool is_shown() const { return exposure_ev || !tone_map.empty(); }
 };
+
+bool holds_radiance(const std::string& name) {
+    return name.ends_with(".exr") || name.ends_with(".hdr");
+}
+
+/// Refuses to expose what was displayed already.
+scene::Display display_of(const CompareArguments& arguments) {
+    for (const std::string& name : {arguments.picture, arguments.reference}) {
+        if (arguments.is_shown() && !holds_radiance(name)) {
+            throw InputError(
+                fmt::format("{}: holds what a display showed, which --exposure and --tone-map would change once more; "
+                            "leave them out",
+                            name));
+        }
+    }
+    scene::Display display{.exposure_ev = arguments.exposure_ev.value_or(0.0)};
+    const auto words = scene::enum_words<scene::ToneMap>();
+    if (!arguments.tone_map.empty()) {
+        display.tone_map = scene::ToneMap(std::find(words.begin(), words.end(), arguments.tone_map) - words.begin());
+    }
+    return display;
+}
+
+/// Where radiance is far from what a display shows, FLIP sees black or white.
+void suggest_exposure(const CompareArguments& arguments, const Image& truth) {
+    if (arguments.is_shown() || !holds_radiance(arguments.reference)) {
+        return;
+    }
+    const std::optional<SuitableExposure> suitable = suitable_exposure(truth, {});
+    if (suitable && std::abs(suitable->ev) > 1.0) {
+        log_note("FLIP sees these pictures as a display without exposure; --exposure {:.2f} shows them better",
+                 suitable->ev);
+    }
+}
 
 int compare(const CompareArguments& arguments) {
     if (!arguments.heatmap.empty()) {
         io::picture_format(arguments.heatmap);
         io::require_writable(arguments.heatmap);
     }
+    const scene::Display shown_by = display_of(arguments);
     const Image picture = io::read_picture(arguments.picture);
     const Image truth = io::read_picture(arguments.reference);
-    const measure::ImageError error = measure::compare_images(picture, truth);
+    measure::ImageError error = measure::compare_images(picture, truth);
+    suggest_exposure(arguments, truth);
+    if (arguments.is_shown() && error.non_finite == 0) {
+        error.mean_flip =
+            measure::mean_flip(scene::shown_image(picture, shown_by), scene::shown_image(truth, shown_by));
+    }
     fmt::print("RMSE {:.3e}\nrelative MSE {:.3e}\nlargest {:.3e} at ({}, {})\nPSNR {:.2f} dB\nFLIP {:.4f}\n",
                error.rmse, error.relative_mse, error.largest, error.worst_pixel.x, error.worst_pixel.y, error.psnr_db,
                error.mean_flip);
@@ -61,6 +111,11 @@ Verb declare_compare(CLI::App& app) {
     app.add_option("picture", arguments->picture, "the picture in question")->required();
     app.add_option("reference", arguments->reference, "what it should be")->required();
     app.add_option("--tolerance", arguments->tolerance, "exit 1 if the RMSE (linear, display range 1) is above this");
+    const auto words = scene::enum_words<scene::ToneMap>();
+    app.add_option("--exposure", arguments->exposure_ev, "of radiance for FLIP, EV: what a display would show")
+        ->check(CLI::Range(-32.0, 32.0));
+    app.add_option("--tone-map", arguments->tone_map, "of radiance for FLIP, see display.tone_map")
+        ->check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end())));
     app.add_option("--heatmap", arguments->heatmap, "picture of where they differ");
     app.add_option("--full-scale", arguments->full_scale, "difference shown in the brightest colour")
         ->check(CLI::Range(1e-9, 1e9));
