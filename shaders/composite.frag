@@ -6,7 +6,7 @@ layout(location = 0) out vec4 display;
 uniform sampler2D picture;     // linear radiance
 uniform vec2 pixels;           // size of what is drawn to
 uniform float exposure;        // factor
-uniform int filmic;
+uniform int tone_map;          // in the order of scene::ToneMap; scene::tone_mapped has the same curves
 uniform int dither;
 
 // A filmic shoulder after Hable (2010), "Uncharted 2: HDR Lighting", scaled so that 0 stays 0 and 11.2 becomes 1.
@@ -24,7 +24,7 @@ vec3 srgb_from_linear(vec3 c)
 void main()
 {
     vec3 c = textureLod(picture, gl_FragCoord.xy / pixels, 0.0).xyz * exposure;
-    if (filmic != 0) {
+    if (tone_map == 1) {
         c = filmic_curve(max(c, vec3(0.0))) / filmic_curve(vec3(11.2));
     }
     c = srgb_from_linear(c);

@@ -10,7 +10,7 @@ void Presenter::draw(const Picture& picture, const scene::Display& display, glm:
     program.set("picture", 0);
     program.set("pixels", glm::vec2(pixels));
     program.set("exposure", float(std::exp2(display.exposure_ev)));
-    program.set("filmic", display.tone_map == scene::ToneMap::filmic ? 1 : 0);
+    program.set("tone_map", int(display.tone_map));
     program.set("dither", display.dither ? 1 : 0);
     picture.color.bind(0);
     full_screen_.draw(program);

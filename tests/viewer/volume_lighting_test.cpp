@@ -1,11 +1,10 @@
-// Closed form: which fields each lighting shows, what it says it leaves out, lights that keep their effect, exposure.
+// Closed form: which fields each lighting shows, what it says it leaves out, lights that keep their effect.
 #include "app/panels/volume_lighting.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "app/exposure.h"
 #include "app/panels/statistics_panel.h"
 #include "scene/builtin.h"
 
@@ -114,26 +113,6 @@ TEST(VolumeLighting, ALightThatGetsAPositionLightsTheMiddleAsBefore) {
         EXPECT_NEAR(incident.toward_world.y, 0.6, 1e-12);
         EXPECT_NEAR(incident.toward_world.z, 0.8, 1e-12);
     }
-}
-
-TEST(Exposure, BringsThePercentileToNineTenths) {
-    // 1000 values of a ramp, the largest channel in turn each of the three; the background is brighter and not counted.
-    Image picture(40, 50);
-    for (std::size_t n = 0; n < 1000; ++n) {
-        picture.rgba[4 * n + n % 3] = 0.02F * float(n) / 999.0F;
-        picture.rgba[4 * n + 3] = 0.5F;
-        picture.rgba[4 * (n + 1000)] = 5.0F;
-    }
-    const std::optional<double> ev = suitable_exposure_ev(picture);
-    ASSERT_TRUE(ev);
-    EXPECT_NEAR(std::exp2(*ev) * 0.02 * 0.99, 0.9, 0.9 * 0.005);  // exposures are rounded to 0.01 EV, 0.35 % a side
-    // Nothing but background: it is what counts.
-    for (std::size_t n = 0; n < picture.pixel_count(); ++n) {
-        picture.rgba[4 * n + 3] = 0.0F;
-    }
-    EXPECT_NEAR(suitable_exposure_ev(picture).value(), std::log2(0.9 / 5.0), 0.006);
-    EXPECT_FALSE(suitable_exposure_ev(Image(8, 8)));
-    EXPECT_FALSE(suitable_exposure_ev(Image()));
 }
 
 TEST(OpticalDepth, IsTheLogarithmOfWhatPasses) {

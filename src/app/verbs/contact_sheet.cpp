@@ -8,6 +8,7 @@
 #include "app/exposure.h"
 #include "app/nothing_seen.h"
 #include "base/error.h"
+#include "base/log.h"
 
 namespace bruma::app {
 
@@ -51,8 +52,12 @@ io::Picture8 draw_sheet(const ContactSheet& sheet, const SceneArguments& argumen
             scene::Scene scene = open_scene(one);
             renderer.render(scene, {tile, 1.0});
             nothing_seen.look_at(scene, renderer.picture());
-            if (const auto ev = sheet.auto_exposure ? suitable_exposure_ev(renderer.read_picture()) : std::nullopt) {
-                scene.display.edit([&](scene::Display& display) { display.exposure_ev = *ev; });
+            if (const auto suitable =
+                    sheet.auto_exposure ? suitable_exposure(renderer.read_picture(), scene) : std::nullopt) {
+                scene.display.edit([&](scene::Display& display) { display.exposure_ev = suitable->ev; });
+                if (suitable->limited) {
+                    log_warning("--auto-exposure: row {}, column {}: {}", row + 1, column + 1, limit_words(*suitable));
+                }
             }
             const std::vector<std::uint8_t> picture = presenter.read(renderer.picture(), *scene.display);
             for (int y = 0; y < tile.y; ++y) {

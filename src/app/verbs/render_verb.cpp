@@ -97,9 +97,12 @@ std::vector<std::filesystem::path> numbered_names(const std::string& output, con
 
 /// Gives the scene the exposure that suits its picture, and says which.
 void expose(scene::Scene& scene, const Image& picture) {
-    if (const std::optional<double> ev = suitable_exposure_ev(picture)) {
-        scene.display.edit([&](scene::Display& display) { display.exposure_ev = *ev; });
-        log_note("--set display.exposure={:.2f} gives this exposure again", *ev);
+    if (const std::optional<SuitableExposure> suitable = suitable_exposure(picture, scene)) {
+        scene.display.edit([&](scene::Display& display) { display.exposure_ev = suitable->ev; });
+        log_note("--set display.exposure={:.2f} gives this exposure again", suitable->ev);
+        if (suitable->limited) {
+            log_warning("--auto-exposure: {}", limit_words(*suitable));
+        }
     } else {
         log_warning("--auto-exposure: the picture is black, so its exposure stays as it was");
     }

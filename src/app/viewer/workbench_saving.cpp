@@ -143,9 +143,10 @@ void Workbench::write_refined_picture(const std::string& path) {
 }
 
 void Workbench::expose() {
-    if (const std::optional<double> ev = suitable_exposure_ev(view_.linear_picture())) {
-        scene_.display.edit([&](scene::Display& display) { display.exposure_ev = *ev; });
-        notice(fmt::format("Exposure {:+.2f} EV", *ev));
+    if (const std::optional<SuitableExposure> suitable = suitable_exposure(view_.linear_picture(), scene_)) {
+        scene_.display.edit([&](scene::Display& display) { display.exposure_ev = suitable->ev; });
+        notice(suitable->limited ? fmt::format("Exposure {:+.2f} EV: {}.", suitable->ev, limit_words(*suitable))
+                                 : fmt::format("Exposure {:+.2f} EV", suitable->ev));
     } else {
         notice("The picture is black: no exposure suits it.");
     }
