@@ -7,9 +7,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <new>
+#include <sstream>
 
 #include "app/scene_arguments.h"
 #include "app/verbs/verbs.h"
+#include "base/console.h"
 #include "base/error.h"
 #include "base/installation.h"
 #include "base/log.h"
@@ -35,7 +37,11 @@ std::vector<std::string> option_names(const CLI::App& app) {
 /// One sentence for what CLI11 did not like.
 int tell(const CLI::App& app, const CLI::ParseError& fault) {
     if (fault.get_exit_code() == int(CLI::ExitCodes::Success)) {
-        return app.exit(fault);  // --help
+        std::ostringstream asked;  // --help or --version
+        app.exit(fault, asked, asked);
+        answer_text(asked.str());
+        require_answer_told();
+        return int(ExitCode::done);
     }
     std::string sentence = fault.what();
     if (dynamic_cast<const CLI::ExtrasError*>(&fault)) {
@@ -51,7 +57,7 @@ int tell(const CLI::App& app, const CLI::ParseError& fault) {
             }
         }
     }
-    fmt::print(stderr, "bruma: {}; 'bruma --help' lists what there is\n", sentence);
+    say("bruma: {}; 'bruma --help' lists what there is\n", sentence);
     return int(ExitCode::user_input);
 }
 
@@ -75,6 +81,21 @@ void require_silent_driver() {
     }
 }
 
+/// Options and files before a verb are the viewer's, and the verb would not see them.
+void refuse_words_before_verb(const CLI::App& app) {
+    if (app.get_subcommands().empty()) {
+        return;
+    }
+    const std::string verb = app.get_subcommands().front()->get_name();
+    for (const CLI::Option* option : app.get_options()) {
+        if (option->count() > 0 && option->get_name() != "--verbose") {
+            throw InputError(fmt::format("{}: stands before '{}', which does not see it there; write it behind",
+                                         option->get_name() == "files" ? option->results().front() : option->get_name(),
+                                         verb));
+        }
+    }
+}
+
 int run(const std::vector<std::string>& arguments, const Viewer& viewer) {
     CLI::App app("Bruma: light that scatters, measured against a slow, true picture.", "bruma");
     app.footer(footer);
@@ -90,30 +111,39 @@ int run(const std::vector<std::string>& arguments, const Viewer& viewer) {
     app.add_option("--samples", samples, "path_traced lighting: paths for each pixel, then the picture rests")
         ->check(CLI::Range(1, 1 << 20));
     app.add_option("--drive", drive, "file of steps that the viewer acts out by itself (for tests)");
-    const auto common = [&](CLI::App& verb) {
+    const auto verbosity = [&](CLI::App& verb) {
         verb.add_flag("-v,--verbose", verbose, "say more on standard error");
+    };
+    const auto with_shaders = [&](CLI::App& verb) {
         verb.add_option("--shaders", shaders, "folder of the shaders, to try out changed ones");
     };
-    common(app);
+    verbosity(app);
+    with_shaders(app);
     std::vector<std::string> verbs;
-    const auto add = [&](const char* name, const char* sentence, auto declare) {
+    const auto add = [&](const char* name, const char* sentence, auto declare, bool draws) {
         CLI::App* verb = app.add_subcommand(name, sentence);
-        common(*verb);
+        verbosity(*verb);
+        if (draws) {
+            with_shaders(*verb);
+        }
         const Verb run_verb = declare(*verb);
         verb->callback([&chosen, run_verb] { chosen = run_verb; });
         verbs.emplace_back(name);
     };
-    add("render", "a picture of a scene, without a window",
-        [&](CLI::App& verb) { return declare_render(verb, arguments); });
-    add("reference", "the same picture in double precision, with its stated error", declare_reference);
-    add("compare", "how far a picture is from another", declare_compare);
-    add("bench", "run time against error: numbers and a page with plots",
-        [&](CLI::App& verb) { return declare_bench(verb, arguments); });
-    add("stress", "numerical stability: the whole matrix of nasty inputs, one line each",
-        [&](CLI::App& verb) { return declare_stress(verb, arguments); });
-    add("info", "what a file holds, or what it may hold", declare_info);
-    add("parameters", "every parameter of a scene, its path, meaning and range", declare_describe_parameters);
-    add("shaders", "the shaders as the driver gets them", declare_shaders);
+    add(
+        "render", "a picture of a scene, without a window",
+        [&](CLI::App& verb) { return declare_render(verb, arguments); }, true);
+    add("reference", "the same picture in double precision, with its stated error", declare_reference, false);
+    add("compare", "how far a picture is from another", declare_compare, false);
+    add(
+        "bench", "run time against error: numbers and a page with plots",
+        [&](CLI::App& verb) { return declare_bench(verb, arguments); }, true);
+    add(
+        "stress", "numerical stability: the whole matrix of nasty inputs, one line each",
+        [&](CLI::App& verb) { return declare_stress(verb, arguments); }, true);
+    add("info", "what a file holds, or what it may hold", declare_info, false);
+    add("parameters", "every parameter of a scene, its path, meaning and range", declare_describe_parameters, false);
+    add("shaders", "the shaders as the driver gets them", declare_shaders, true);
 
     check_first_word(arguments, verbs);
     try {
@@ -121,37 +151,40 @@ int run(const std::vector<std::string>& arguments, const Viewer& viewer) {
     } catch (const CLI::ParseError& fault) {
         return tell(app, fault);
     }
+    refuse_words_before_verb(app);
     set_log_level(verbose ? LogLevel::detail : LogLevel::note);
     if (!shaders.empty()) {
         use_folder("shaders", shaders);
     }
     if (chosen) {
-        return chosen();
+        const int code = chosen();
+        require_answer_told();
+        return code;
     }
     if (!viewer) {
         throw MachineError("this program opens no windows; 'bruma' does, and 'render' needs none");
     }
     const glm::ivec2 size = to_view.pixels();
-    return viewer(
-        {to_view.files, to_view.hints(), to_view.settings, to_view.camera, to_view.up, drive, size.x, size.y, samples});
+    return viewer({to_view.files, to_view.hints(), to_view.all_settings(), to_view.camera, to_view.up, drive, size.x,
+                   size.y, samples});
 }
 
 }  // namespace
 
 int run_program(const std::vector<std::string>& arguments, const Viewer& viewer) {
+    prepare_standard_streams();
     try {
         const int code = run(arguments, viewer);
         require_silent_driver();
         return code;
     } catch (const Error& fault) {
-        fmt::print(stderr, "bruma: {}\n", fault.what());
+        say("bruma: {}\n", fault.what());
         return int(fault.code());
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "bruma: not enough memory for this; close other programs or use smaller data\n");
+        say("bruma: not enough memory for this; close other programs or use smaller data\n");
         return int(ExitCode::machine);
     } catch (const std::exception& fault) {
-        fmt::print(stderr, "bruma: {} (this is a fault of the program; please report it with the command)\n",
-                   fault.what());
+        say("bruma: {} (this is a fault of the program; please report it with the command)\n", fault.what());
         return int(ExitCode::machine);
     }
 }

@@ -3,13 +3,17 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
 #include "base/error.h"
 #include "base/installation.h"
 #include "base/nearest_name.h"
+#include "io/grid_source.h"
+#include "io/input_file.h"
 #include "io/open.h"
 
 namespace bruma::app {
@@ -42,6 +46,14 @@ Enum word_value(const std::string& option, const std::string& word) {
         words.emplace_back(known);
     }
     throw InputError(option + " " + word + ": unknown" + suggestion(word, words));
+}
+
+/// Whether options about headerless volumes have nothing to say to a file.
+bool describes_itself(const std::string& file) {
+    std::string ending = std::filesystem::path(file).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return io::is_builtin(file) || ending == ".json" || ending == ".obj" || ending == ".off";
 }
 
 glm::dvec3 axis_vector(const std::string& word) {
@@ -107,6 +119,45 @@ double room_around(const scene::Scene& scene, const scene::Camera& camera, doubl
 
 }  // namespace
 
+void declare_force(CLI::App& app, bool& force) {
+    app.add_flag("--force", force, "replace files of another kind; the files that are read never are");
+}
+
+io::OutputGuard guard_against(const std::vector<std::string>& files, bool force) {
+    for (const std::string& file : files) {
+        if (!io::is_builtin(file)) {
+            io::announce_input(file);
+        }
+    }
+    // Shaders are read by a layer that knows nothing of outputs.
+    constexpr int deepest = 2;  // of folders with shaders; any folder may be named
+    std::error_code error;
+    std::filesystem::recursive_directory_iterator at(installed_folder("shaders"), error);
+    for (; !error && at != std::filesystem::recursive_directory_iterator(); at.increment(error)) {
+        io::announce_input(at->path());
+        if (at.depth() >= deepest) {
+            at.disable_recursion_pending();
+        }
+    }
+    return io::OutputGuard(force);
+}
+
+void refuse_if_given(const CLI::App& app, const std::vector<std::string>& options, const std::string& why) {
+    for (const std::string& name : options) {
+        if (const CLI::Option* option = app.get_option_no_throw(name); option != nullptr && option->count() > 0) {
+            throw InputError(fmt::format("{}: {}", name, why));
+        }
+    }
+}
+
+void refuse_empty_words(CLI::App& app, const std::vector<std::string>& options) {
+    for (const std::string& name : options) {
+        app.get_option(name)->check([](const std::string& word) {
+            return word.empty() ? std::string("is empty; give it a value or leave it out") : std::string();
+        });
+    }
+}
+
 void SceneArguments::declare(CLI::App& app, bool with_view) {
     app.add_option("files", files,
                    "a .json scene, .raw volumes, .obj and .off meshes, builtin:NAME; several are added to one scene");
@@ -116,16 +167,27 @@ void SceneArguments::declare(CLI::App& app, bool with_view) {
     app.add_option("--spacing", spacing, "millimetres between its samples, as 1,1,2");
     app.add_option("--offset", offset, "bytes before its first sample");
     app.add_option("--endian", endian, "byte order: little or big");
+    std::vector<std::string> words{"--dims", "--type", "--spacing", "--offset", "--endian"};
     if (with_view) {
+        words.insert(words.end(), {"--camera", "--up"});
         app.add_option("--size", size, "pixels of the picture, as 1280x720");
         app.add_option("--camera", camera,
                        "front, back, left, right, top, bottom, or AZIMUTH,ELEVATION[,ZOOM] in degrees");
         app.add_option("--time", time_s, "seconds: the moment that is shown");
         app.add_option("--up", up, "axis that is up in the picture: x, -x, y, -y, z, -z");
     }
+    refuse_empty_words(app, words);
 }
 
 scene::VolumeSource SceneArguments::hints() const {
+    const std::array<std::pair<const char*, const std::string&>, 5> given{
+        {{"--dims", dims}, {"--type", type}, {"--spacing", spacing}, {"--offset", offset}, {"--endian", endian}}};
+    for (const auto& [name, word] : given) {
+        if (!word.empty() && !files.empty() && std::all_of(files.begin(), files.end(), describes_itself)) {
+            throw InputError(fmt::format("{} {}: tells the layout of a headerless volume, but {}; leave it out", name,
+                                         word, files.size() == 1 ? files[0] + " is none" : "none of the files is one"));
+        }
+    }
     scene::VolumeSource hints;
     if (!dims.empty()) {
         const std::vector<long long> parts = numbers<long long>(dims, 'x');
@@ -155,13 +217,30 @@ scene::VolumeSource SceneArguments::hints() const {
         }
         hints.spacing = 1e-3 * glm::dvec3(parts[0], parts[1], parts[2]);
     }
-    if (offset != -1) {
-        if (offset < 0) {
-            throw InputError(fmt::format("--offset {}: a file has no bytes before its first; give 0 or more", offset));
+    if (!offset.empty()) {
+        const std::vector<std::int64_t> parts = numbers<std::int64_t>(offset, ',');
+        if (parts.size() != 1 || parts[0] < 0) {
+            throw InputError(
+                fmt::format("--offset {}: no number of bytes before the first sample; give 0 or more", offset));
         }
-        hints.offset = offset;
+        hints.offset = parts[0];
     }
     return hints;
+}
+
+std::vector<std::string> SceneArguments::all_settings() const {
+    std::vector<std::string> all = settings;
+    if (time_s) {
+        const scene::Timeline timeline;
+        scene::visit_fields(timeline, [&](const scene::Field& field, const auto&) {
+            if (field.name == "now" && !(*time_s >= field.min && *time_s <= field.max)) {
+                throw InputError(fmt::format("--time {}: no moment of a scene; give {:g} to {:g} seconds", *time_s,
+                                             field.min, field.max));
+            }
+        });
+        all.push_back(fmt::format("time.now={}", *time_s));
+    }
+    return all;
 }
 
 glm::ivec2 SceneArguments::pixels() const {
@@ -211,7 +290,7 @@ scene::Scene open_scene(const SceneArguments& arguments, const io::Progress& pro
     }
     // Settings of the camera wait until there is one.
     std::vector<std::string> scene_settings, camera_settings;
-    for (const std::string& setting : arguments.settings) {
+    for (const std::string& setting : arguments.all_settings()) {
         (setting.starts_with("camera") ? camera_settings : scene_settings).push_back(setting);
     }
     const auto presets = preset_folders();
@@ -220,12 +299,6 @@ scene::Scene open_scene(const SceneArguments& arguments, const io::Progress& pro
     place_camera(scene, double(pixels.x) / pixels.y, arguments.camera, arguments.up);
     if (!camera_settings.empty()) {
         scene = io::with_settings(scene, camera_settings, progress, presets);
-    }
-    if (arguments.time_s) {
-        if (!std::isfinite(*arguments.time_s)) {
-            throw InputError(fmt::format("--time {}: no moment; give seconds", *arguments.time_s));
-        }
-        scene.time.edit([&](scene::Timeline& timeline) { timeline.now_s = *arguments.time_s; });
     }
     scene::check(scene);
     return scene;

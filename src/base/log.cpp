@@ -1,8 +1,9 @@
 #include "base/log.h"
 
-#include <cstdio>
 #include <deque>
 #include <mutex>
+
+#include "base/console.h"
 
 namespace bruma {
 namespace {
@@ -35,7 +36,7 @@ void log_line(LogLevel level, std::string_view line) {
     Log& log = the_log();
     const std::lock_guard lock(log.mutex);
     if (level >= log.shown_from) {
-        fmt::print(stderr, "{}{}\n", prefix(level), line);
+        say("{}{}\n", prefix(level), line);
     }
     log.lines.push_back({level, std::string(line)});
     if (log.lines.size() > 1000) {

@@ -12,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/console.h"
 #include "base/error.h"
 
 namespace bruma::io {
@@ -86,7 +87,11 @@ Place place_of(const fs::path& path) {
     constexpr mode_t anyone_writes = S_IWUSR | S_IWGRP | S_IWOTH;
     const bool is_permitted =
         (facts.st_mode & anyone_writes) != 0 && ::faccessat(AT_FDCWD, place.target.c_str(), W_OK, AT_EACCESS) == 0;
-    if (!is_permitted && !own_descriptor(place.target)) {
+    const std::optional<int> own = own_descriptor(place.target);
+    if (own && (::fcntl(*own, F_GETFL) & O_ACCMODE) == O_RDONLY) {
+        throw InputError(fmt::format("{}: is open for reading only, or closed; name a file", path.string()));
+    }
+    if (!is_permitted && !own) {
         throw InputError(
             fmt::format("{}: is read-only; name another file or give it permission to be written", path.string()));
     }
@@ -147,20 +152,6 @@ void make_alike(int descriptor, const struct stat& replaced) {
 }
 
 }  // namespace
-
-bool write_all(int descriptor, std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) {
-            continue;
-        }
-        if (written < 0) {
-            return false;
-        }
-        bytes = bytes.subspan(std::size_t(written));
-    }
-    return true;
-}
 
 fs::path output_target(const fs::path& path) {
     constexpr int most_links = 40;  // as the kernel follows

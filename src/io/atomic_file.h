@@ -27,7 +27,4 @@ std::filesystem::path output_target(const std::filesystem::path& path);
 /// Whether `path` is there and takes bytes as they come: a character device or a pipe.
 bool is_stream(const std::filesystem::path& path);
 
-/// Writes all bytes to an open descriptor; false, with errno, when it takes no more.
-bool write_all(int descriptor, std::span<const std::byte> bytes);
-
 }  // namespace bruma::io

@@ -89,8 +89,9 @@ std::string proposals_text(const std::string& path, const std::vector<RawProposa
     return text;
 }
 
-std::string scene_text(const std::string& path) {
-    const scene::Scene scene = open_files(std::span(&path, 1), {}, {});
+std::string scene_text(const std::string& path, std::span<const std::string> settings,
+                       const std::vector<std::filesystem::path>& preset_folders) {
+    const scene::Scene scene = open_files(std::span(&path, 1), {}, settings, {}, preset_folders);
     std::string text =
         fmt::format("{}: scene of {} nodes and {} lights\n", path, scene.nodes.size(), scene.lights.size());
     for (const auto& [name, node] : scene.nodes) {
@@ -119,13 +120,20 @@ std::string scene_text(const std::string& path) {
 
 }  // namespace
 
-std::string describe_file(const std::string& argument, const scene::VolumeSource& hints) {
+std::string describe_file(const std::string& argument, const scene::VolumeSource& hints,
+                          std::span<const std::string> settings,
+                          const std::vector<std::filesystem::path>& preset_folders) {
+    const std::string ending = std::filesystem::path(argument).extension().string();
+    const bool is_scene = !is_mesh(argument) && (is_builtin(argument) || ending != ".raw");
+    if (!settings.empty() && !is_scene) {
+        throw InputError(fmt::format("--set {}: changes a scene, but of {} is told what the file holds; leave it out",
+                                     settings.front(), argument));
+    }
     if (is_mesh(argument)) {
         return mesh_text(argument, load_mesh({.file = argument}, {}));
     }
-    const std::string ending = std::filesystem::path(argument).extension().string();
-    if (is_builtin(argument) || ending != ".raw") {
-        return scene_text(argument);
+    if (is_scene) {
+        return scene_text(argument, settings, preset_folders);
     }
     const RawLayoutParts known = known_layout_parts(argument, hints);
     if (!known.complete()) {

@@ -33,6 +33,34 @@ void write(const json& value, std::size_t indent, std::string& text) {
     text += fmt::format("\n{:{}}{}", "", indent, value.is_object() ? '}' : ']');
 }
 
+bool is_utf8(const std::string& text) {
+    try {
+        json(text).dump();
+        return true;
+    } catch (const json::exception&) {
+        return false;
+    }
+}
+
+/// The first key or text that is not UTF-8; empty when all are.
+std::string first_not_utf8(const json& value) {
+    if (value.is_string()) {
+        const auto text = value.get<std::string>();
+        return is_utf8(text) ? "" : text;
+    }
+    for (const auto& [key, part] : value.items()) {
+        if (value.is_object() && !is_utf8(key)) {
+            return key;
+        }
+        if (part.is_structured() || part.is_string()) {
+            if (std::string found = first_not_utf8(part); !found.empty()) {
+                return found;
+            }
+        }
+    }
+    return {};
+}
+
 /// Watches a parser for keys that an object has already.
 class TwiceGivenKeys {
   public:
@@ -60,10 +88,15 @@ std::string json_text(const json& document) {
     std::string text;
     try {
         write(document, 0, text);
-    } catch (const json::exception& error) {
-        throw InputError(fmt::format("a name or a path cannot stand in JSON ({}); rename it in UTF-8", error.what()));
+    } catch (const json::exception&) {
+        throw InputError(fmt::format("'{}': is not UTF-8, so that no JSON can name it; rename the file in UTF-8",
+                                     first_not_utf8(document)));
     }
     return text + "\n";
+}
+
+std::string report_text(const json& document, int indent) {
+    return document.dump(indent, ' ', false, json::error_handler_t::replace);
 }
 
 json parse_json(const std::string& text, const std::string& name) {

@@ -5,8 +5,13 @@
 namespace bruma::io {
 
 /// JSON for people: two blanks of indent, short arrays on one line, numbers as short as they are exact, a newline at
-/// the end. Throws InputError for texts that are not UTF-8.
+/// the end. Throws InputError that names the first text that is not UTF-8, since it could not be
+/// read back.
 std::string json_text(const nlohmann::json& document);
+
+/// JSON that reports, as statistics do: what is not UTF-8, such as a file's name, stands there with replacement
+/// characters. `indent` below 0: one line. No newline at the end.
+std::string report_text(const nlohmann::json& document, int indent);
 
 /// JSON of a text. A fault is told as NAME:line:column with what was found and expected; a key given twice in one
 /// object is a fault too. Throws InputError only. `name` is the file's name or an option.

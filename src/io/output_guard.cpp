@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/console.h"
 #include "base/error.h"
 #include "io/atomic_file.h"
 #include "io/input_file.h"
@@ -88,6 +89,19 @@ void OutputGuard::add(const std::string& option, const fs::path& path, FileConte
     judge(outputs_.back());
     if (path != "-") {
         require_writable(path);
+    } else if (!has_standard_output()) {
+        throw InputError(fmt::format("{} -: standard output is closed; name a file", option));
+    }
+}
+
+void OutputGuard::add_sequence(const std::string& option, const std::vector<fs::path>& paths, FileContent content) {
+    for (const fs::path& path : paths) {
+        outputs_.push_back({option, path, content});
+        judge(outputs_.back());
+        // New names are alike but for their length, and the last is the longest.
+        if (facts_of(path) || path == paths.back()) {
+            require_writable(path);
+        }
     }
 }
 

@@ -37,8 +37,11 @@ class OutputGuard {
     /// `force`: files of another kind may be replaced; inputs and other outputs still may not.
     explicit OutputGuard(bool force) : force_(force) {}
 
-    /// Also refuses what is another output already and what cannot be written. "-" is standard output.
+    /// Also refuses what is another output already and what cannot be written. "-" is standard output, which
+    /// must be open.
     void add(const std::string& option, const std::filesystem::path& path, FileContent content);
+    /// Pictures of one sequence, whose names are different from one another.
+    void add_sequence(const std::string& option, const std::vector<std::filesystem::path>& paths, FileContent content);
     /// Judges all again; to be called when the inputs are read, before the expensive part.
     void check() const;
 

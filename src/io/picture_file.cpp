@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/console.h"
 #include "base/error.h"
 #include "io/atomic_file.h"
 #include "io/exr.h"
@@ -32,15 +33,9 @@ void append(void* context, void* data, int size) {
 }
 
 void write_to_standard_output(std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) {
-            continue;
-        }
-        if (written <= 0) {
-            throw InputError(fmt::format("standard output: the picture cannot be written ({})", std::strerror(errno)));
-        }
-        bytes = bytes.subspan(std::size_t(written));
+    if (!write_all(STDOUT_FILENO, bytes)) {
+        throw InputError(fmt::format("standard output: the picture cannot be written ({}); name a file or a program",
+                                     std::strerror(errno)));
     }
 }
 
@@ -50,7 +45,7 @@ PictureFormat picture_format(const std::string& path) {
     std::string ending = std::filesystem::path(path).extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (path == "-" || ending == ".png") {
+    if (path == "-" || ending == ".png" || (ending.empty() && is_stream(path))) {
         return PictureFormat::png;
     }
     if (ending == ".hdr") {
@@ -61,6 +56,13 @@ PictureFormat picture_format(const std::string& path) {
     }
     throw InputError(fmt::format("{}: {} is no picture that can be written; end the name in .png, .hdr or .exr", path,
                                  ending.empty() ? "a name without ending" : "'" + ending + "'"));
+}
+
+FileContent picture_content(const std::string& path) {
+    const PictureFormat format = picture_format(path);
+    return format == PictureFormat::hdr   ? FileContent::hdr
+           : format == PictureFormat::exr ? FileContent::exr
+                                          : FileContent::png;
 }
 
 void write_png(const std::string& path, const Picture8& picture) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/image.h"
+#include "io/file_content.h"
 
 namespace bruma::io {
 
@@ -21,8 +22,12 @@ using NamedChannels = std::map<std::string, std::vector<float>>;
 
 /// The picture file endings that can be written.
 enum class PictureFormat { png, hdr, exr };
-/// Format by the ending of a path; "-" is PNG on standard output. Throws InputError with the known endings.
+/// Format by the ending of a path; "-", and a device or a pipe without ending, take PNG. Throws InputError with the
+/// known endings.
 PictureFormat picture_format(const std::string& path);
+
+/// What a picture of this path's format is as a file.
+FileContent picture_content(const std::string& path);
 
 /// All writers leave either the whole file or what was there before; they throw InputError when it cannot be written
 /// and for pictures without pixels.

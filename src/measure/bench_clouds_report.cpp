@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/json_text.h"
 #include "measure/bench_clouds.h"
 #include "measure/bench_html.h"
 #include "measure/bench_table.h"
@@ -162,7 +163,7 @@ void write_cloud_bench(const CloudBench& bench, const std::filesystem::path& fol
                                        {"quick", bench.options.quick}}},
                                      {"scenes", scenes}};
     write_bench_files(folder, {{"clouds.csv", csv_of(stacked("scene", tables))},
-                               {"clouds.json", document.dump(1) + "\n"},
+                               {"clouds.json", io::report_text(document, 1) + "\n"},
                                {"clouds.html", page_of(bench)}});
 }
 

@@ -1,4 +1,5 @@
 #include "measure/bench_light_report.h"
+#include "io/json_text.h"
 
 #include <fmt/core.h>
 
@@ -90,7 +91,7 @@ std::string json_of(const LightBench& bench) {
     document["scenes"] = scenes;
     document["launches"] = batches;
     document["builds"] = builds;
-    return document.dump(1) + "\n";
+    return io::report_text(document, 1) + "\n";
 }
 
 void write_light_bench(const LightBench& bench, const std::filesystem::path& folder) {

@@ -1,4 +1,5 @@
 #include "measure/bench_mesh_report.h"
+#include "io/json_text.h"
 
 #include <algorithm>
 
@@ -124,7 +125,7 @@ void write_mesh_bench(const MeshBench& bench, const std::filesystem::path& folde
         {"findings", findings}, {"noise", json_of(table_of(bench.noise))}, {"races", json_of(table_of(bench.races))}};
     write_bench_files(folder, {{"mesh.csv", csv_of(stacked("scene", tables))},
                                {"mesh_sampling.csv", csv_of(table_of(bench.noise))},
-                               {"mesh.json", document.dump(1) + "\n"},
+                               {"mesh.json", io::report_text(document, 1) + "\n"},
                                {"mesh.html", page_of(bench)}});
 }
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/json_fields.h"
+#include "io/json_text.h"
 #include "measure/bench_findings.h"
 #include "measure/bench_table.h"
 
@@ -82,7 +83,7 @@ std::string json_of(const VolumeBench& bench) {
           {"reference_tolerance", bench.options.reference_tolerance}}},
         {"note", "times are medians of this machine; ratios are medians over rounds in which the frames alternate"},
         {"scenes", scenes}};
-    return document.dump(1) + "\n";
+    return io::report_text(document, 1) + "\n";
 }
 
 void write_volume_bench(const VolumeBench& bench, const std::filesystem::path& folder) {

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <regex>
 
 #include "io/atomic_file.h"
+#include "io/json_text.h"
 #include "measure/plot.h"
 
 namespace bruma::measure {
@@ -21,12 +23,12 @@ bool is_plain(const std::string& word) {
 std::string csv_cell(const nlohmann::json& cell) {
     if (cell.is_string()) {
         const auto word = cell.get<std::string>();
-        return is_plain(word) ? word : fmt::format("\"{}\"", word);
+        return is_plain(word) ? word : fmt::format("\"{}\"", std::regex_replace(word, std::regex("\""), "\"\""));
     }
     if (cell.is_boolean()) {
         return cell.get<bool>() ? "1" : "0";
     }
-    return cell.is_number_float() ? fmt::format("{:.6g}", cell.get<double>()) : cell.dump();
+    return cell.is_number_float() ? fmt::format("{:.6g}", cell.get<double>()) : io::report_text(cell, -1);
 }
 
 std::string html_cell(const nlohmann::json& cell, const std::string& format) {
@@ -39,7 +41,7 @@ std::string html_cell(const nlohmann::json& cell, const std::string& format) {
     if (cell.is_number_float()) {
         return fmt::format(fmt::runtime(format.empty() ? "{:g}" : format), cell.get<double>());
     }
-    return cell.dump();
+    return io::report_text(cell, -1);
 }
 
 }  // namespace

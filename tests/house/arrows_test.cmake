@@ -37,6 +37,17 @@ foreach(source IN LISTS sources)
   endforeach()
 endforeach()
 
+# What is printed by any other way ends the run, or is lost in silence, when a standard stream is closed or full.
+foreach(source IN LISTS sources)
+  if(source MATCHES "^src/base/console")
+    continue()
+  endif()
+  file(STRINGS ${TOP}/${source} printing REGEX "fmt::print|std::(cout|cerr|clog)|(^|[^a-z_])(printf|fprintf|puts|fputs|putchar) ?\\(")
+  if(printing)
+    fault("${source}: prints by itself (${printing}); say it by base/console.h or base/log.h")
+  endif()
+endforeach()
+
 file(GLOB_RECURSE all RELATIVE ${TOP} ${TOP}/src/* ${TOP}/shaders/* ${TOP}/tests/*)
 list(FILTER all INCLUDE REGEX "\\.(h|cpp|glsl|vert|frag|geom|comp|cmake|txt|sh)$")
 foreach(source IN LISTS all)

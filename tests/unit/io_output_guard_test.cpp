@@ -108,7 +108,7 @@ TEST(OutputGuard, KnowsEveryFileThatWasRead) {
     folder.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl red\nf 1/1 2/1 3/1\n");
     folder.write("v.raw", std::string(8, 'x'));
     folder.write("v.json", R"({"size":[2,2,2],"type":"uint8"})");
-    write_png((folder / "w.png").string(), small_picture());
+    write_png((folder / "w.png").string(), {8, 8, std::vector<std::uint8_t>(256, 200)});
     folder.write("s.json", R"({"bruma_scene":1,"nodes":{"m":{"kind":"mesh","source":{"file":"a.obj"}},
         "v":{"kind":"volume","source":{"file":"v.raw","size":[2,2,2],"type":"uint8"}},
         "c":{"kind":"clouds","weather":{"file":"w.png"}}}})");

@@ -7,8 +7,10 @@
 #include "app/scene_arguments.h"
 #include "app/sibling.h"
 #include "app/verbs/verbs.h"
+#include "base/console.h"
 #include "base/error.h"
 #include "io/atomic_file.h"
+#include "io/json_text.h"
 #include "io/open.h"
 #include "io/picture_file.h"
 #include "measure/bench_clouds.h"
@@ -33,7 +35,28 @@ struct BenchArguments {
     int warmup = 2;
     double azimuth_step_deg = 3.0;
     bool quick = false;
+    bool force = false;
 };
+
+/// All that a bench writes, judged before anything is computed.
+io::OutputGuard guard_results(const BenchArguments& arguments, std::initializer_list<const char*> names) {
+    io::require_writable_folder(arguments.output);
+    io::OutputGuard outputs = guard_against(arguments.scene.files, arguments.force);
+    if (!arguments.picture.empty()) {
+        outputs.add("--picture-frame0", arguments.picture, io::FileContent::exr);
+    }
+    std::error_code error;
+    if (!std::filesystem::is_directory(arguments.output, error)) {
+        return outputs;  // nothing can be lost in a folder that is not there
+    }
+    for (const std::filesystem::path name : names) {
+        outputs.add("-o", std::filesystem::path(arguments.output) / name,
+                    name.extension() == ".csv"    ? io::FileContent::bench_table
+                    : name.extension() == ".json" ? io::FileContent::bench_record
+                                                  : io::FileContent::bench_page);
+    }
+    return outputs;
+}
 
 /// Each file is a scene of its own here, not a part of one.
 scene::Scene open_one(const BenchArguments& arguments, const std::string& file) {
@@ -47,7 +70,7 @@ std::string scene_name(const std::string& file) {
 }
 
 int bench_volume(const BenchArguments& arguments, const std::vector<std::string>& command_line) {
-    io::require_writable_folder(arguments.output);
+    const io::OutputGuard outputs = guard_results(arguments, {"volume.csv", "volume.json", "volume.html"});
     const glm::ivec2 pixels = arguments.scene.pixels();
     const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
     std::vector<measure::BenchScene> scenes = measure::default_bench_scenes(double(pixels.x) / pixels.y);
@@ -58,28 +81,29 @@ int bench_volume(const BenchArguments& arguments, const std::vector<std::string>
     options.pixels = pixels;
     options.repeats = arguments.repeats;
     options.quick = arguments.quick;
-    options.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+    options.say = [](const std::string& line) { say("{}\n", line); };
+    outputs.check();
     const measure::VolumeBench bench = measure::run_volume_bench(scenes, options);
     measure::write_volume_bench(bench, arguments.output);
     for (const measure::VolumeBenchScene& scene : bench.scenes) {
-        fmt::print("{}: {}\n", scene.name, measure::finding_time(scene));
-        fmt::print("{}: {}\n", scene.name, measure::finding_order(scene));
-        fmt::print("{}: {}\n", scene.name, measure::finding_savings(scene));
+        answer("{}: {}\n", scene.name, measure::finding_time(scene));
+        answer("{}: {}\n", scene.name, measure::finding_order(scene));
+        answer("{}: {}\n", scene.name, measure::finding_savings(scene));
     }
-    fmt::print("times are numbers of this machine; written: {}\n",
-               (std::filesystem::path(arguments.output) / "volume.html").string());
+    answer("times are numbers of this machine; written: {}\n",
+           (std::filesystem::path(arguments.output) / "volume.html").string());
     return int(ExitCode::done);
 }
 
 int bench_light(const BenchArguments& arguments, const std::vector<std::string>& command_line) {
-    io::require_writable_folder(arguments.output);
+    const io::OutputGuard outputs = guard_results(arguments, {"light.csv", "light.json", "light.html"});
     const glm::ivec2 pixels = arguments.scene.pixels();
     const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
     measure::LightBenchOptions options;
     options.pixels = pixels;
     options.repeats = arguments.repeats;
     options.quick = arguments.quick;
-    options.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+    options.say = [](const std::string& line) { say("{}\n", line); };
     std::vector<measure::BenchScene> scenes = measure::default_light_scenes(double(pixels.x) / pixels.y);
     if (options.quick) {
         scenes.resize(1);
@@ -88,30 +112,32 @@ int bench_light(const BenchArguments& arguments, const std::vector<std::string>&
         scenes.push_back({scene_name(file), open_one(arguments, file)});
         measure::make_light_scene(scenes.back().scene);
     }
+    outputs.check();
     const measure::LightBench bench = measure::run_light_bench(scenes, options);
     measure::write_light_bench(bench, arguments.output);
     for (const measure::LightBenchScene& scene : bench.scenes) {
-        fmt::print("{}: {}\n", scene.name, measure::finding_single(scene));
-        fmt::print("{}: {}\n", scene.name, measure::finding_multiple(scene));
-        fmt::print("{}: {}\n", scene.name, measure::finding_cost(scene));
+        answer("{}: {}\n", scene.name, measure::finding_single(scene));
+        answer("{}: {}\n", scene.name, measure::finding_multiple(scene));
+        answer("{}: {}\n", scene.name, measure::finding_cost(scene));
     }
     for (const measure::LightBuildRow& row : bench.builds) {
-        fmt::print("{}\n", measure::finding_build(row));
+        answer("{}\n", measure::finding_build(row));
     }
-    fmt::print("{}\ntimes are numbers of this machine; written: {}\n", measure::finding_batches(bench),
-               (std::filesystem::path(arguments.output) / "light.html").string());
+    answer("{}\ntimes are numbers of this machine; written: {}\n", measure::finding_batches(bench),
+           (std::filesystem::path(arguments.output) / "light.html").string());
     return int(ExitCode::done);
 }
 
 int bench_mesh(const BenchArguments& arguments, const std::vector<std::string>& command_line) {
-    io::require_writable_folder(arguments.output);
+    const io::OutputGuard outputs =
+        guard_results(arguments, {"mesh.csv", "mesh_sampling.csv", "mesh.json", "mesh.html"});
     const glm::ivec2 pixels = arguments.scene.pixels();
     const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
     measure::MeshBenchOptions options;
     options.pixels = pixels;
     options.repeats = arguments.repeats;
     options.quick = arguments.quick;
-    options.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+    options.say = [](const std::string& line) { say("{}\n", line); };
     std::vector<measure::BenchScene> scenes = measure::default_mesh_scenes(double(pixels.x) / pixels.y);
     if (options.quick) {
         scenes.resize(1);
@@ -123,28 +149,29 @@ int bench_mesh(const BenchArguments& arguments, const std::vector<std::string>& 
         scenes.push_back({scene_name(file), open_one(arguments, file)});
         measure::make_mesh_scene(file, scenes.back().scene);
     }
+    outputs.check();
     const measure::MeshBench bench = measure::run_mesh_bench(scenes, options);
     measure::write_mesh_bench(bench, arguments.output);
     for (const measure::MeshBenchScene& scene : bench.scenes) {
-        fmt::print("{}: {}\n", scene.name, measure::finding_quadrature(scene));
-        fmt::print("{}: {}\n", scene.name, measure::finding_maps(scene));
-        fmt::print("{}: {}\n", scene.name, measure::finding_walk(scene));
-        fmt::print("{}: {}\n", scene.name, measure::finding_combination(scene));
+        answer("{}: {}\n", scene.name, measure::finding_quadrature(scene));
+        answer("{}: {}\n", scene.name, measure::finding_maps(scene));
+        answer("{}: {}\n", scene.name, measure::finding_walk(scene));
+        answer("{}: {}\n", scene.name, measure::finding_combination(scene));
     }
     for (const std::string material : {"cream", "marble"}) {
-        fmt::print("{}\n", measure::finding_noise(bench.noise, material, true));
-        fmt::print("{}\n", measure::finding_noise(bench.noise, material, false));
+        answer("{}\n", measure::finding_noise(bench.noise, material, true));
+        answer("{}\n", measure::finding_noise(bench.noise, material, false));
     }
     for (const measure::SamplingRace& race : bench.races) {
-        fmt::print("{}\n", measure::finding_race(race));
+        answer("{}\n", measure::finding_race(race));
     }
-    fmt::print("times are numbers of this machine; written: {}\n",
-               (std::filesystem::path(arguments.output) / "mesh.html").string());
+    answer("times are numbers of this machine; written: {}\n",
+           (std::filesystem::path(arguments.output) / "mesh.html").string());
     return int(ExitCode::done);
 }
 
 int bench_clouds(const BenchArguments& arguments, const std::vector<std::string>& command_line) {
-    io::require_writable_folder(arguments.output);
+    const io::OutputGuard outputs = guard_results(arguments, {"clouds.csv", "clouds.json", "clouds.html"});
     measure::CloudBenchOptions options;
     options.pixels = arguments.scene.pixels();
     const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
@@ -156,14 +183,14 @@ int bench_clouds(const BenchArguments& arguments, const std::vector<std::string>
         options.bias_pixels = {6, 3};
         options.paths = 8;
     }
-    options.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+    options.say = [](const std::string& line) { say("{}\n", line); };
     options.change = [&](const scene::Scene& scene) {
         return io::with_settings(scene, arguments.scene.settings, {}, preset_folders());
     };
     options.keep = [&](const measure::CloudBench& bench) { measure::write_cloud_bench(bench, arguments.output); };
     measure::write_cloud_bench(measure::run_cloud_bench(options), arguments.output);
-    fmt::print("times are numbers of this machine; written: {}\n",
-               (std::filesystem::path(arguments.output) / "clouds.html").string());
+    answer("times are numbers of this machine; written: {}\n",
+           (std::filesystem::path(arguments.output) / "clouds.html").string());
     return int(ExitCode::done);
 }
 
@@ -176,20 +203,18 @@ int bench_frames(const BenchArguments& arguments, const std::vector<std::string>
         throw InputError(
             fmt::format("--picture-frame0 {}: only .exr keeps linear floats; choose that ending", arguments.picture));
     }
-    if (!arguments.picture.empty()) {
-        io::require_writable(arguments.picture);
-    }
-    io::require_writable_folder(arguments.output);
+    const io::OutputGuard outputs = guard_results(arguments, {"frames.json"});
     const glm::ivec2 pixels = arguments.scene.pixels();
     const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
     const measure::FramesBenchOptions options{pixels, arguments.azimuth_step_deg, arguments.frames, arguments.warmup,
                                               arguments.passes};
     nlohmann::json results = nlohmann::json::array();
     for (const std::string& file : arguments.scene.files) {
-        const measure::FramesBench bench =
-            measure::run_frames_bench(scene_name(file), open_one(arguments, file), options);
+        scene::Scene scene = open_one(arguments, file);
+        outputs.check();
+        const measure::FramesBench bench = measure::run_frames_bench(scene_name(file), std::move(scene), options);
         results.push_back(measure::to_json(bench));
-        fmt::print("{}\n", results.back().dump());
+        answer("{}\n", io::report_text(results.back(), -1));
         if (!arguments.picture.empty()) {
             io::write_exr(arguments.picture, bench.first_frame);
         }
@@ -204,7 +229,8 @@ int bench_frames(const BenchArguments& arguments, const std::vector<std::string>
                                      {"scenes", results}};
     std::error_code error;
     std::filesystem::create_directories(arguments.output, error);
-    io::write_file_atomically(std::filesystem::path(arguments.output) / "frames.json", document.dump(1) + "\n");
+    io::write_file_atomically(std::filesystem::path(arguments.output) / "frames.json",
+                              io::report_text(document, 1) + "\n");
     return int(ExitCode::done);
 }
 
@@ -221,6 +247,7 @@ Verb declare_bench(CLI::App& app, const std::vector<std::string>& command_line) 
         verb->add_option("-o,--output", arguments->output, "folder for the results; made if it is not there")
             ->required();
         verb->add_option("--context", arguments->context, "auto, egl or osmesa");
+        declare_force(*verb, arguments->force);
         verb->fallthrough();  // --verbose and --shaders stand on the verb itself
         return verb;
     };
@@ -252,9 +279,19 @@ Verb declare_bench(CLI::App& app, const std::vector<std::string>& command_line) 
     frames->add_option("--azimuth-step", arguments->azimuth_step_deg, "degrees from one frame to the next, about +y")
         ->check(CLI::Range(-360.0, 360.0));
     frames->add_option("--picture-frame0", arguments->picture, ".exr: the first frame, linear");
+    refuse_empty_words(*frames, {"--picture-frame0"});
+    refuse_empty_words(*clouds, {"--only", "--size"});
     frames->get_option("files")->required();
     app.require_subcommand(1);
-    return [arguments, command_line, frames, light, clouds, mesh] {
+    return [arguments, command_line, frames, light, clouds, mesh, volume] {
+        if (arguments->scene.files.empty()) {
+            for (const CLI::App* verb : {light, mesh, volume}) {
+                refuse_if_given(
+                    *verb,
+                    {"--set", "--dims", "--type", "--spacing", "--offset", "--endian", "--camera", "--time", "--up"},
+                    "is about the FILEs, but there are none; name one or leave it out");
+            }
+        }
         if (arguments->scene.size.empty()) {  // references of light are slow, and smooth light needs few pixels
             arguments->scene.size = light->parsed()    ? "96x96"
                                     : mesh->parsed()   ? "24x24"

@@ -3,10 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
+#include <optional>
 
+#include "app/scene_arguments.h"
 #include "app/verbs/verbs.h"
+#include "base/console.h"
 #include "base/error.h"
-#include "io/atomic_file.h"
 #include "io/picture_file.h"
 #include "measure/heatmap.h"
 #include "measure/image_error.h"
@@ -18,22 +20,37 @@ struct CompareArguments {
     std::string picture, reference;
     std::string heatmap;
     double full_scale = 0.1;
-    double tolerance = -1.0;
+    std::optional<double> tolerance;  ///< without: any difference will do
+    bool force = false;
 };
 
+/// CLI11's own ranges let pass what is no number.
+CLI::Validator a_number_from(double low, double high) {
+    return {[low, high](const std::string& word) {
+                double value = 0.0;
+                const bool is_number = CLI::detail::lexical_cast(word, value);
+                return is_number && value >= low && value <= high
+                           ? std::string()
+                           : fmt::format("{} is no number from {:g} to {:g}", word, low, high);
+            },
+            fmt::format("FLOAT in [{:g} - {:g}]", low, high)};
+}
+
 int compare(const CompareArguments& arguments) {
+    if (arguments.heatmap == "-") {
+        throw InputError("--heatmap -: standard output carries the numbers; name a file");
+    }
     if (!arguments.heatmap.empty()) {
-        io::picture_format(arguments.heatmap);
-        io::require_writable(arguments.heatmap);
+        guard_against({arguments.picture, arguments.reference}, arguments.force)
+            .add("--heatmap", arguments.heatmap, io::picture_content(arguments.heatmap));
     }
     const Image picture = io::read_picture(arguments.picture);
     const Image truth = io::read_picture(arguments.reference);
     const measure::ImageError error = measure::compare_images(picture, truth);
-    fmt::print("RMSE {:.3e}\nrelative MSE {:.3e}\nlargest {:.3e} at ({}, {})\nPSNR {:.2f} dB\nFLIP {:.4f}\n",
-               error.rmse, error.relative_mse, error.largest, error.worst_pixel.x, error.worst_pixel.y, error.psnr_db,
-               error.mean_flip);
+    answer("RMSE {:.3e}\nrelative MSE {:.3e}\nlargest {:.3e} at ({}, {})\nPSNR {:.2f} dB\nFLIP {:.4f}\n", error.rmse,
+           error.relative_mse, error.largest, error.worst_pixel.x, error.worst_pixel.y, error.psnr_db, error.mean_flip);
     if (error.non_finite > 0) {
-        fmt::print("{} pixels are not finite\n", error.non_finite);
+        answer("{} pixels are not finite\n", error.non_finite);
     }
     if (!arguments.heatmap.empty()) {
         const io::PictureFormat format = io::picture_format(arguments.heatmap);
@@ -46,10 +63,12 @@ int compare(const CompareArguments& arguments) {
         }
         io::write_picture(arguments.heatmap, map, display);
     }
-    const bool within = error.non_finite == 0 && (arguments.tolerance < 0.0 || error.rmse <= arguments.tolerance);
+    const bool within = error.non_finite == 0 && (!arguments.tolerance || error.rmse <= *arguments.tolerance);
     if (!within) {
-        fmt::print("{}", measure::character_picture(picture, truth, 72));
-        fmt::print("RMSE is above the tolerance of {:.3e}\n", arguments.tolerance);
+        answer("{}", measure::character_picture(picture, truth, 72));
+        if (arguments.tolerance && !(error.rmse <= *arguments.tolerance)) {
+            answer("RMSE is above the tolerance of {:.3e}\n", *arguments.tolerance);
+        }
     }
     return int(within ? ExitCode::done : ExitCode::answer_is_no);
 }
@@ -60,11 +79,19 @@ Verb declare_compare(CLI::App& app) {
     auto arguments = std::make_shared<CompareArguments>();
     app.add_option("picture", arguments->picture, "the picture in question")->required();
     app.add_option("reference", arguments->reference, "what it should be")->required();
-    app.add_option("--tolerance", arguments->tolerance, "exit 1 if the RMSE (linear, display range 1) is above this");
+    app.add_option("--tolerance", arguments->tolerance, "exit 1 if the RMSE (linear, display range 1) is above this")
+        ->check(a_number_from(0.0, 1e30));
     app.add_option("--heatmap", arguments->heatmap, "picture of where they differ");
     app.add_option("--full-scale", arguments->full_scale, "difference shown in the brightest colour")
-        ->check(CLI::Range(1e-9, 1e9));
-    return [arguments] { return compare(*arguments); };
+        ->check(a_number_from(1e-9, 1e9));
+    declare_force(app, arguments->force);
+    refuse_empty_words(app, {"--heatmap"});
+    return [arguments, &app] {
+        if (arguments->heatmap.empty()) {
+            refuse_if_given(app, {"--full-scale", "--force"}, "is about --heatmap; add that or leave it out");
+        }
+        return compare(*arguments);
+    };
 }
 
 }  // namespace bruma::app

@@ -5,6 +5,7 @@
 
 #include "app/scene_arguments.h"
 #include "app/verbs/verbs.h"
+#include "base/console.h"
 #include "base/error.h"
 #include "io/describe.h"
 
@@ -15,8 +16,9 @@ Verb declare_info(CLI::App& app) {
     arguments->declare(app, false);
     app.get_option("files")->required();
     return [arguments] {
+        const scene::VolumeSource hints = arguments->hints();
         for (const std::string& file : arguments->files) {
-            fmt::print("{}", io::describe_file(file, arguments->hints()));
+            answer("{}", io::describe_file(file, hints, arguments->settings, preset_folders()));
         }
         return int(ExitCode::done);
     };

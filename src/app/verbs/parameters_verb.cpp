@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "app/verbs/verbs.h"
+#include "base/console.h"
 #include "scene/scene.h"
 
 namespace bruma::app {
@@ -28,14 +29,14 @@ struct Printer {
         if (!field.unit.empty()) {
             range += fmt::format("{}{}", range.empty() ? "" : " ", field.unit);
         }
-        fmt::print("  {:42} {}{}\n", prefix + std::string(field.name), field.sentence,
-                   range.empty() ? "" : " [" + range + "]");
+        answer("  {:42} {}{}\n", prefix + std::string(field.name), field.sentence,
+               range.empty() ? "" : " [" + range + "]");
     }
 };
 
 template <class Part>
 void print_part(const char* title, const std::string& prefix) {
-    fmt::print("{}\n", title);
+    answer("{}\n", title);
     const Part part;
     scene::visit_fields(part, Printer{prefix});
 }
@@ -44,7 +45,7 @@ void print_part(const char* title, const std::string& prefix) {
 
 Verb declare_describe_parameters(CLI::App&) {
     return [] {
-        fmt::print(
+        answer(
             "Every parameter of a scene, by the path that --set and scene files use.\n"
             "In place of nodes.NAME, 'volume' addresses every volume, 'mesh' every mesh, 'clouds' every layer of "
             "clouds (clouds.preset=stratus sets all of it); in place of lights.NAME, "

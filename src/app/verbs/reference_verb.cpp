@@ -12,9 +12,9 @@
 #include "app/scene_arguments.h"
 #include "app/verbs/reference_body.h"
 #include "app/verbs/verbs.h"
+#include "base/console.h"
 #include "base/error.h"
 #include "base/log.h"
-#include "io/atomic_file.h"
 #include "io/picture_file.h"
 #include "reference/render_clouds.h"
 #include "reference/render_scattering.h"
@@ -30,6 +30,7 @@ struct ReferenceArguments {
     std::optional<double> tolerance;
     std::string light;
     std::string inside = "quadrature";
+    bool force = false;
     std::uint64_t photons = 1'000'000;
     reference::ScatteringOptions scattering;
 };
@@ -147,22 +148,53 @@ Drawn draw_body(const ReferenceArguments& arguments, const scene::Scene& scene,
                                 arguments.tolerance, arguments.photons, arguments.scattering.seed, progress});
 }
 
-int reference(const ReferenceArguments& arguments) {
+/// Says which of the given options the way that is taken does not read.
+void say_what_plays_no_part(const CLI::App& app, const std::vector<std::string>& read) {
+    std::string names;
+    for (const char* const name :
+         {"--light", "--tolerance", "--samples", "--inside", "--photons", "--max-bounces", "--seed"}) {
+        if (app.get_option(name)->count() > 0 && std::find(read.begin(), read.end(), name) == read.end()) {
+            names += fmt::format("{}{}", names.empty() ? "" : ", ", name);
+        }
+    }
+    if (!names.empty()) {
+        log_warning("{}: plays no part in the reference of this scene; see 'bruma reference --help'", names);
+    }
+}
+
+/// The options that the reference of a scene reads.
+std::vector<std::string> options_read(const ReferenceArguments& arguments, bool clouds, bool meshes, bool scatters) {
+    const bool paths = clouds ? arguments.light == "multiple" : scatters && arguments.light != "single";
+    if (!clouds && meshes) {
+        return arguments.inside == "photons" ? std::vector<std::string>{"--inside", "--photons", "--seed"}
+                                             : std::vector<std::string>{"--inside", "--tolerance"};
+    }
+    if (!paths) {
+        return {"--light", "--tolerance"};
+    }
+    return clouds ? std::vector<std::string>{"--light", "--samples"}
+                  : std::vector<std::string>{"--light", "--samples", "--max-bounces", "--seed"};
+}
+
+int reference(const ReferenceArguments& arguments, const CLI::App& app) {
     if (io::picture_format(arguments.output) != io::PictureFormat::exr) {
         throw InputError(
             fmt::format("-o {}: the reference keeps its precision only in .exr; choose that ending", arguments.output));
     }
-    io::require_writable(arguments.output);
+    io::OutputGuard outputs = guard_against(arguments.scene.files, arguments.force);
+    outputs.add("-o", arguments.output, io::FileContent::exr);
     scene::Scene scene = scene::with_sun_as_lamp(open_scene(arguments.scene));
+    outputs.check();
     const bool has_clouds = !scene::shown_clouds(scene).empty();
     if (scene.outdoors) {
         scene.background = scene::Background{};
     }
     const bool has_meshes = !scene::shown_meshes(scene).empty();
+    say_what_plays_no_part(app, options_read(arguments, has_clouds, has_meshes, anything_scatters(scene)));
     const bool talks = ::isatty(2) != 0;
     std::function<void(double)> progress;
     if (talks) {
-        progress = [](double share) { fmt::print(stderr, "\r{:3.0f} %", 100.0 * share); };
+        progress = [](double share) { say("\r{:3.0f} %", 100.0 * share); };
     }
     const auto start = std::chrono::steady_clock::now();
     Drawn drawn = has_clouds                 ? draw_clouds(arguments, scene, progress)
@@ -174,7 +206,7 @@ int reference(const ReferenceArguments& arguments) {
     }
     io::write_exr(arguments.output, drawn.image, {{"error", drawn.error}});
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    fmt::print(stderr, "{}{} in {:.1f} s\n", talks ? "\r" : "", drawn.findings, seconds);
+    say("{}{} in {:.1f} s\n", talks ? "\r" : "", drawn.findings, seconds);
     return int(ExitCode::done);
 }
 
@@ -212,7 +244,8 @@ Verb declare_reference(CLI::App& app) {
         ->capture_default_str();
     app.add_option("--seed", arguments->scattering.seed, "multiple: another number gives an independent picture")
         ->capture_default_str();
-    return [arguments] { return reference(*arguments); };
+    declare_force(app, arguments->force);
+    return [arguments, &app] { return reference(*arguments, app); };
 }
 
 }  // namespace bruma::app

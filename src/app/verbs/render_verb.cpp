@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <memory>
 #include <optional>
@@ -12,12 +13,15 @@
 #include "app/sibling.h"
 #include "app/verbs/contact_sheet.h"
 #include "app/verbs/verbs.h"
+#include "base/console.h"
 #include "base/error.h"
 #include "base/installation.h"
 #include "base/log.h"
 #include "io/atomic_file.h"
+#include "io/json_text.h"
 #include "io/picture_file.h"
 #include "io/raw_volume.h"
+#include "render/passes/path_trace_pass.h"
 #include "render/presenter.h"
 
 namespace bruma::app {
@@ -33,6 +37,7 @@ struct RenderArguments {
     std::string across, down;
     bool explain = false;
     bool auto_exposure = false;
+    bool force = false;
     int repeats = 5;
     render::PathGoal paths;
 };
@@ -77,11 +82,17 @@ std::optional<FrameRange> frame_range(const std::string& words) {
                     words));
 }
 
-/// The name of one picture of many: cloud.png becomes cloud_0007.png.
-std::string numbered(const std::string& output, int frame) {
+/// The names of pictures of many: cloud.png becomes cloud_0007.png. All have as many digits as the last, and at least
+/// four, so that their names sort as their numbers do.
+std::vector<std::filesystem::path> numbered_names(const std::string& output, const FrameRange& range) {
     const std::filesystem::path path(output);
-    const std::string name = fmt::format("{}_{:04}{}", path.stem().string(), frame, path.extension().string());
-    return (path.parent_path() / name).string();
+    const std::size_t digits = std::max<std::size_t>(4, std::to_string(range.last).size());
+    std::vector<std::filesystem::path> names;
+    for (int frame = range.first; frame <= range.last; ++frame) {
+        names.push_back(path.parent_path() /
+                        fmt::format("{}_{:0{}}{}", path.stem().string(), frame, digits, path.extension().string()));
+    }
+    return names;
 }
 
 /// Gives the scene the exposure that suits its picture, and says which.
@@ -109,13 +120,29 @@ void write_frames(const FrameRange& range, const std::string& output, scene::Sce
                   render::Renderer& renderer, render::Presenter& presenter, gl::ShaderLibrary& shaders) {
     const scene::Timeline timeline = *scene.time;
     NothingSeen nothing_seen(shaders);
+    const std::vector<std::filesystem::path> names = numbered_names(output, range);
     for (int frame = range.first; frame <= range.last; ++frame) {
         scene.time.edit([&](scene::Timeline& moved) { moved.now_s = timeline.now_s + frame / timeline.frame_rate; });
         renderer.render(scene, view);
-        write(numbered(output, frame), renderer, presenter, scene);
+        write(names[std::size_t(frame - range.first)].string(), renderer, presenter, scene);
         nothing_seen.look_at(scene, renderer.picture());
     }
     nothing_seen.say();
+}
+
+/// Says which options about light inside matter were given where no light goes inside.
+void say_what_plays_no_part(const CLI::App& app, const scene::Scene& scene) {
+    const auto meshes = scene::shown_meshes(scene);
+    const bool any_translucent = std::any_of(meshes.begin(), meshes.end(), [&](const std::string& name) {
+        return std::get<scene::Mesh>(scene.nodes.at(name).content).surface->shading == scene::MeshShading::translucent;
+    });
+    const bool path_traced = render::is_path_traced(scene);
+    if (app.get_option("--samples")->count() > 0 && !path_traced && !any_translucent) {
+        log_warning("--samples: plays no part, since nothing is path_traced or translucent in this scene");
+    }
+    if (app.get_option("--scatterings")->count() > 0 && !path_traced) {
+        log_warning("--scatterings: plays no part, since nothing is path_traced in this scene");
+    }
 }
 
 /// What --across and --down ask for; nothing without them.
@@ -124,10 +151,10 @@ std::optional<ContactSheet> contact_sheet(const RenderArguments& arguments) {
         return std::nullopt;
     }
     if (io::picture_format(arguments.output) != io::PictureFormat::png || !arguments.frames.empty() ||
-        !arguments.stats.empty() || arguments.explain) {
+        !arguments.stats.empty() || !arguments.graph.empty() || arguments.explain) {
         throw InputError(
-            "--across, --down: put many pictures into one .png and do nothing else; leave out --frames, --stats and "
-            "--explain");
+            "--across, --down: put many pictures into one .png and do nothing else; leave out --frames, --stats, "
+            "--graph and --explain");
     }
     ContactSheet sheet{.auto_exposure = arguments.auto_exposure};
     if (!arguments.across.empty()) {
@@ -139,7 +166,25 @@ std::optional<ContactSheet> contact_sheet(const RenderArguments& arguments) {
     return sheet;
 }
 
-int render(const RenderArguments& arguments, const std::vector<std::string>& command_line) {
+/// All that the command writes, each judged before anything is computed.
+io::OutputGuard guard_outputs(const RenderArguments& arguments, const std::optional<FrameRange>& frames) {
+    io::OutputGuard outputs = guard_against(arguments.scene.files, arguments.force);
+    const io::FileContent content = io::picture_content(arguments.output);
+    if (frames) {
+        outputs.add_sequence("-o", numbered_names(arguments.output, *frames), content);
+    } else {
+        outputs.add("-o", arguments.output, content);
+    }
+    if (!arguments.stats.empty()) {
+        outputs.add("--stats", arguments.stats, io::FileContent::statistics);
+    }
+    if (!arguments.graph.empty()) {
+        outputs.add("--graph", arguments.graph, io::FileContent::graph);
+    }
+    return outputs;
+}
+
+int render(const RenderArguments& arguments, const std::vector<std::string>& command_line, const CLI::App& app) {
     const glm::ivec2 pixels = arguments.scene.pixels();
     const io::PictureFormat format = io::picture_format(arguments.output);
     if (arguments.auto_exposure && format != io::PictureFormat::png) {
@@ -148,17 +193,13 @@ int render(const RenderArguments& arguments, const std::vector<std::string>& com
     }
     const std::optional<FrameRange> frames = frame_range(arguments.frames);
     const std::optional<ContactSheet> sheet = contact_sheet(arguments);
-    if (frames &&
-        (arguments.output == "-" || !arguments.stats.empty() || arguments.explain || arguments.auto_exposure)) {
+    if (frames && (arguments.output == "-" || io::is_stream(arguments.output) || !arguments.stats.empty() ||
+                   !arguments.graph.empty() || arguments.explain || arguments.auto_exposure)) {
         throw InputError(
-            "--frames: writes numbered pictures and nothing else; leave out -o -, --stats, --explain and "
+            "--frames: writes numbered pictures and nothing else; leave out -o -, --stats, --graph, --explain and "
             "--auto-exposure");
     }
-    for (const std::string& output : {arguments.output, arguments.stats, arguments.graph}) {
-        if (!output.empty() && output != "-") {
-            io::require_writable(output);
-        }
-    }
+    const io::OutputGuard outputs = guard_outputs(arguments, frames);
     const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
     const context::DriverInfo driver = context::driver_info();
     log_detail("{}: {}, {}", context->way(), driver.renderer, driver.version);
@@ -166,10 +207,14 @@ int render(const RenderArguments& arguments, const std::vector<std::string>& com
 
     gl::ShaderLibrary shaders(installed_folder("shaders"));
     if (sheet) {
-        io::write_png(arguments.output, draw_sheet(*sheet, arguments.scene, shaders));
+        const io::Picture8 picture = draw_sheet(*sheet, arguments.scene, shaders);
+        outputs.check();
+        io::write_png(arguments.output, picture);
         return int(ExitCode::done);
     }
     scene::Scene scene = open_scene(arguments.scene);
+    outputs.check();
+    say_what_plays_no_part(app, scene);
     render::Renderer renderer(shaders);
     render::Presenter presenter(shaders);
     const render::View view{pixels, 1.0, arguments.paths};
@@ -187,16 +232,15 @@ int render(const RenderArguments& arguments, const std::vector<std::string>& com
     nothing_seen.look_at(scene, renderer.picture());
     nothing_seen.say();
     if (arguments.explain) {
-        fmt::print(stderr, "{} through {}: {}\n{}", driver.renderer, context->way(), driver.version,
-                   explanation(report));
+        say("{} through {}: {}\n{}", driver.renderer, context->way(), driver.version, explanation(report));
     }
     if (!arguments.graph.empty()) {
         io::write_file_atomically(arguments.graph, renderer.graph().drawing());
     }
     if (!arguments.stats.empty()) {
         const FrameStatistics statistics = measure_frame(shaders, scene, view, arguments.repeats);
-        fmt::print(stderr, "{}", summary(statistics));
-        io::write_file_atomically(arguments.stats, to_json(statistics).dump(2) + "\n");
+        say("{}", summary(statistics));
+        io::write_file_atomically(arguments.stats, io::report_text(to_json(statistics), 2) + "\n");
     }
     return int(ExitCode::done);
 }
@@ -226,8 +270,18 @@ Verb declare_render(CLI::App& app, const std::vector<std::string>& command_line)
     app.add_option("--graph", arguments->graph, "Graphviz file: the frame graph as a drawing");
     app.add_flag("--auto-exposure", arguments->auto_exposure,
                  "expose a .png so that its brightest hundredth is at 0.9 or above, and say how");
+    declare_force(app, arguments->force);
+    refuse_empty_words(app, {"--stats", "--graph", "--frames", "--across", "--down"});
     app.add_flag("--explain", arguments->explain, "print what each pass did, for how long, and why");
-    return [arguments, command_line] { return render(*arguments, command_line); };
+    return [arguments, command_line, &app] {
+        if (arguments->stats.empty()) {
+            refuse_if_given(app, {"--repeats"}, "counts the frames that --stats measures; add --stats or leave it out");
+        }
+        for (std::string* output : {&arguments->stats, &arguments->graph}) {
+            *output = *output == "-" ? "/dev/stdout" : *output;
+        }
+        return render(*arguments, command_line, app);
+    };
 }
 
 }  // namespace bruma::app

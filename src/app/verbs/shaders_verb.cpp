@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -10,14 +11,18 @@
 #include <set>
 #include <stdexcept>
 
+#include "app/scene_arguments.h"
 #include "app/verbs/shader_variants.h"
 #include "app/verbs/verbs.h"
+#include "base/console.h"
 #include "base/error.h"
 #include "base/installation.h"
 #include "context/context.h"
 #include "gl/program.h"
 #include "gl/shader_source.h"
 #include "io/atomic_file.h"
+#include "io/input_file.h"
+#include "io/output_guard.h"
 
 namespace bruma::app {
 namespace {
@@ -89,19 +94,23 @@ int compile_all() {
         ++count;
         if (context::driver_error_count() != before) {
             ++faulty;
-            fmt::print("{}\n", words_of(file, defines));
+            answer("{}\n", words_of(file, defines));
         }
     });
-    fmt::print("{} shaders compiled, {} of them with warnings\n", count, faulty);
+    answer("{} shaders compiled, {} of them with warnings\n", count, faulty);
     return int(faulty == 0 ? ExitCode::done : ExitCode::answer_is_no);
 }
 
-int expand(const std::string& folder) {
+/// A whole shader, ready to be written.
+struct ExpandedShader {
+    std::filesystem::path path;
+    std::string text;
+};
+
+int expand(const std::string& folder, bool force) {
     const std::filesystem::path root = installed_folder("shaders");
     io::require_writable_folder(folder);
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    int count = 0;
+    std::vector<ExpandedShader> expanded;
     std::set<std::string> asked_anywhere, defined_anywhere;
     for (const auto& entry : std::filesystem::directory_iterator(root)) {
         if (!entry.is_regular_file()) {
@@ -113,18 +122,27 @@ int expand(const std::string& folder) {
         for (const gl::Defines& defines : shader_variants(file)) {
             const std::string name =
                 fmt::format("{}_{}{}", entry.path().stem().string(), number++, entry.path().extension().string());
-            const std::string text = gl::read_shader(root, file, defines).text;
-            asked_anywhere.merge(asked(text));
-            defined_here.merge(defined(text));
-            io::write_file_atomically(std::filesystem::path(folder) / name, text);
-            ++count;
+            const gl::ShaderSource source = gl::read_shader(root, file, defines);
+            std::for_each(source.files.begin(), source.files.end(), io::announce_input);
+            asked_anywhere.merge(asked(source.text));
+            defined_here.merge(defined(source.text));
+            expanded.push_back({std::filesystem::path(folder) / name, source.text});
         }
         // What it includes may have parts for others.
         require_all(file, asked(contents(entry.path())), defined_here);
         defined_anywhere.merge(defined_here);
     }
     require_all(root.string(), asked_anywhere, defined_anywhere);
-    fmt::print("{} shaders written to {}\n", count, folder);
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    io::OutputGuard outputs(force);
+    for (const ExpandedShader& shader : expanded) {
+        outputs.add("--expand", shader.path, io::FileContent::shader);
+    }
+    for (const ExpandedShader& shader : expanded) {
+        io::write_file_atomically(shader.path, shader.text);
+    }
+    answer("{} shaders written to {}\n", expanded.size(), folder);
     return int(ExitCode::done);
 }
 
@@ -133,12 +151,14 @@ int expand(const std::string& folder) {
 Verb declare_shaders(CLI::App& app) {
     auto folder = std::make_shared<std::string>();
     auto compile = std::make_shared<bool>(false);
+    auto force = std::make_shared<bool>(false);
     auto* ways = app.add_option_group("way");
     ways->add_option("--expand", *folder,
                      "folder to write every shader to, includes and switches in place, for validators");
     ways->add_flag("--compile", *compile, "compile every shader with this machine's driver; 1 if it warns of any");
     ways->require_option(1);
-    return [folder, compile] { return *compile ? compile_all() : expand(*folder); };
+    declare_force(app, *force);
+    return [folder, compile, force] { return *compile ? compile_all() : expand(*folder, *force); };
 }
 
 }  // namespace bruma::app

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/scene_arguments.h"
 #include "app/sibling.h"
 #include "app/verbs/verbs.h"
+#include "base/console.h"
 #include "base/error.h"
 #include "measure/stress.h"
 
@@ -22,16 +24,13 @@ using Suite = std::vector<measure::StressVerdict> (*)(const measure::StressOptio
 int run_suite(Suite suite, const StressArguments& arguments, const std::vector<std::string>& command_line) {
     const auto context = open_context_or_run_sibling(context_kind(arguments.context), command_line);
     measure::StressOptions options = arguments.options;
-    options.say = [](const measure::StressVerdict& verdict) {
-        fmt::print("{}\n", measure::line_of(verdict));
-        std::fflush(stdout);
-    };
+    options.say = [](const measure::StressVerdict& verdict) { answer("{}\n", measure::line_of(verdict)); };
     const std::vector<measure::StressVerdict> verdicts = suite(options);
     if (verdicts.empty()) {
         throw InputError(fmt::format("--only {}: no case has this in its name; run without it to see them all",
                                      arguments.options.only));
     }
-    fmt::print("\n{}", measure::summary_of(verdicts));
+    answer("\n{}", measure::summary_of(verdicts));
     const bool all_ok = std::all_of(verdicts.begin(), verdicts.end(), [](const auto& verdict) { return verdict.ok; });
     return int(all_ok ? ExitCode::done : ExitCode::answer_is_no);
 }
@@ -44,6 +43,7 @@ Verb declare_stress(CLI::App& app, const std::vector<std::string>& command_line)
         CLI::App* verb = app.add_subcommand(name, sentence);
         verb->add_option("--context", arguments->context, "auto, egl or osmesa");
         verb->add_option("--only", arguments->options.only, "only cases with this in GROUP/NAME");
+        refuse_empty_words(*verb, {"--only"});
         verb->fallthrough();  // --verbose and --shaders stand on the verb itself
         return verb;
     };

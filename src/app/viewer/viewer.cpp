@@ -12,6 +12,7 @@
 #include "app/viewer/driver.h"
 #include "app/viewer/input.h"
 #include "app/viewer/workbench.h"
+#include "base/console.h"
 #include "base/error.h"
 #include "base/installation.h"
 #include "context/window.h"
@@ -182,7 +183,7 @@ int run_viewer(const ViewRequest& request) {
     try {
         return ViewerLoop(request).run();
     } catch (const DriveFault& fault) {
-        fmt::print(stderr, "bruma: {}\n", fault.what());
+        say("bruma: {}\n", fault.what());
         return int(ExitCode::answer_is_no);
     }
 }
