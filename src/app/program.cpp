@@ -73,6 +73,14 @@ void check_first_word(const std::vector<std::string>& arguments, const std::vect
     }
 }
 
+/// With BRUMA_STRICT_DRIVER in the environment, as tests have it: throws when the driver told of a fault.
+void require_silent_driver() {
+    const int faults = context::driver_error_count();
+    if (faults > 0 && std::getenv("BRUMA_STRICT_DRIVER") != nullptr) {
+        throw MachineError(fmt::format("the driver told of faults ({}), see the messages above", faults));
+    }
+}
+
 /// Options and files before a verb are the viewer's, and the verb would not see them.
 void refuse_words_before_verb(const CLI::App& app) {
     if (app.get_subcommands().empty()) {
@@ -85,14 +93,6 @@ void refuse_words_before_verb(const CLI::App& app) {
                                          option->get_name() == "files" ? option->results().front() : option->get_name(),
                                          verb));
         }
-    }
-}
-
-/// With BRUMA_STRICT_DRIVER in the environment, as tests have it: throws when the driver told of a fault.
-void require_silent_driver() {
-    const int faults = context::driver_error_count();
-    if (faults > 0 && std::getenv("BRUMA_STRICT_DRIVER") != nullptr) {
-        throw MachineError(fmt::format("the driver told of faults ({}), see the messages above", faults));
     }
 }
 

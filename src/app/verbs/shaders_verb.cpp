@@ -63,12 +63,6 @@ std::string contents(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// A whole shader, ready to be written.
-struct ExpandedShader {
-    std::filesystem::path path;
-    std::string text;
-};
-
 /// Calls `act` with the file and the switches of every variant of every shader.
 void for_all(const std::function<void(const std::string&, const gl::Defines&)>& act) {
     for (const auto& entry : std::filesystem::directory_iterator(installed_folder("shaders"))) {
@@ -106,6 +100,12 @@ int compile_all() {
     answer("{} shaders compiled, {} of them with warnings\n", count, faulty);
     return int(faulty == 0 ? ExitCode::done : ExitCode::answer_is_no);
 }
+
+/// A whole shader, ready to be written.
+struct ExpandedShader {
+    std::filesystem::path path;
+    std::string text;
+};
 
 int expand(const std::string& folder, bool force) {
     const std::filesystem::path root = installed_folder("shaders");
