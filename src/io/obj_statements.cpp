@@ -42,6 +42,14 @@ void ObjStatements::add(std::string_view line) {
     if (keyword.empty() || keyword == "g" || keyword == "o" || (keyword.front() == '#' && keyword != "#MRGB")) {
         return;
     }
+    if (keyword == "s") {
+        // Off is what holds without such a line.
+        const std::string_view group = line.substr(std::min(line.find_first_not_of(blanks, 1), line.size()));
+        const std::string_view word = group.substr(0, group.find_first_of(blanks));
+        if (word.empty() || word == "off" || word == "0") {
+            return;
+        }
+    }
     constexpr std::size_t most = 20;
     seen_.add(std::string(keyword.substr(0, most)));
 }

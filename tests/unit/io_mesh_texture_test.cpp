@@ -73,8 +73,8 @@ TEST(MeshTexture, IsFoundThroughTheMaterialOrSaidToBeMissing) {
     const scene::LoadedMesh loaded = load_obj_mesh(folder.write("a.obj", mesh), {});
     ASSERT_EQ(loaded.mesh->materials.size(), 2U);
     ASSERT_TRUE(loaded.mesh->materials[0].diffuse_texture);
-    // No Kd beside a texture: its colours are taken at the strength that the library's reader gives them.
-    EXPECT_EQ(loaded.mesh->materials[0].diffuse, glm::dvec3(0.6));
+    // No Kd beside a texture: its colours are shown as they are.
+    EXPECT_EQ(loaded.mesh->materials[0].diffuse, glm::dvec3(1.0));
     EXPECT_EQ(loaded.mesh->texture_coordinates, (std::vector<glm::vec2>{{0, 0}, {1, 0}, {0, 0}}));
     EXPECT_FALSE(loaded.mesh->materials[1].diffuse_texture);
     ASSERT_EQ(loaded.remarks.size(), 1U);

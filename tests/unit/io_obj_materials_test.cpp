@@ -180,7 +180,9 @@ TEST(ObjMesh, StatementsThatAreNotDrawnAreSaidOnce) {
     EXPECT_TRUE(contains(said("l 1 2\nl 2 3\np 1\n"), "s.obj: tells more than is drawn: lines (l 2), points (p 1)\n"));
     EXPECT_TRUE(contains(said("vp 0.1\ncstype bezier\ndeg 3\ncurv 0 1 1 2 3 4\nparm u 0 1\nend\n"),
                          "free-form curves and surfaces (vp 1, cstype 1, deg 1, curv 1, parm 1, end 1)"));
-    EXPECT_TRUE(contains(said("s 1\ns off\n"), "smoothing groups, where edges are smoothed by their angle (s 2)"));
+    EXPECT_TRUE(
+        contains(said("s 1\ns off\ns 2\ns 0\n"), "smoothing groups, where edges are smoothed by their angle (s 2)"));
+    EXPECT_EQ(said("s off\n s 0\n"), "");
     EXPECT_EQ(said("vn 0 0 1\ns 1\n"), "") << "normals say it";
     for (const char* statement :
          {"vp",     "bmat",  "step",     "curv2",    "surf", "trim",       "hole",      "scrv",  "sp",    "con",

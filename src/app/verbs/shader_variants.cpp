@@ -86,7 +86,7 @@ Variants mesh_variants() {
     const Variants maps{{{"EXIT_MAPS", "8"}}, {{"EXIT_MAPS", "16"}}};
     const Variants inside = Variants{{{"TRANSLUCENT", ""}}} * (maps + points);
     return Variants{{{"DEPTH_ONLY", ""}}, {{"THICKNESS", ""}}} +
-           Variants{{{"VERTEX_COLORS", ""}}} * samples * (Variants{{}} + inside) +
+           sun * Variants{{{"VERTEX_COLORS", ""}}} * samples * (Variants{{}} + inside) +
            lamps * around * (Variants{{}} + inside) * (Variants{{}} + shadows_of_clouds) +
            sun * shadows_of_clouds * inside + samples * Variants{{{"MAP_READS", ""}, {"TRANSLUCENT", ""}}} * maps;
 }
