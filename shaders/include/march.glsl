@@ -22,11 +22,13 @@
 //   bool medium_may_show(Sample front, Sample back)   with REFINE: false only if nothing between is visible, even if the
 //                                            data bend
 //
+//   bool medium_has_hole(Sample front, Sample middle, Sample back)   with REFINE and HOLES: matter may begin or end abruptly
+//
 // Switches: SAMPLE_AT_MIDPOINTS (else at nodes), REFINE (nodes only), LIT, LEAP, STOP_EARLY, COUNT.
 //
 // REFINE: pre-integration takes the data for straight over a segment. Where something shows, one more sample in the
 // middle tells how far that is from the truth: the halves replace the whole, and where they differ from it by more than
-// refine_tolerance in opacity, eighths replace the halves.
+// refine_tolerance in opacity, or where matter ends abruptly, eighths replace the halves.
 // Leaping changes no bit of the result: it skips only segments for which medium_segment would return false.
 
 struct March {
@@ -87,6 +89,9 @@ void march_refined(Sample front, Sample back, float t_front, float t_back, inout
     float second = march_opacity(middle, back, t_middle, t_back);
     float halves = first + second - first * second;
     int parts = result.transmittance * abs(halves - whole) > refine_tolerance ? fine_parts : 2;
+#ifdef HOLES
+    parts = medium_has_hole(front, middle, back) ? fine_parts : parts;
+#endif
     float part = (t_back - t_front) / float(parts);
     float t_behind = t_front;
     for (int k = 1; k <= parts; ++k) {

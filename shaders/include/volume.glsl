@@ -197,22 +197,39 @@ void medium_begin()
 #endif
 
 #if defined(HOLES) && !defined(SAMPLE_AT_MIDPOINTS)
-// A segment with one end in a hole is taken for half a segment of what is at the other end.
+// What there is of a segment that has one end in a hole: its other end moves to where the hole begins, found by halving.
 float present_share = 1.0;
-bool ends_present(int m, inout Sample front, inout Sample back)
+bool ends_present(int m, float t_front, float t_back, inout Sample front, inout Sample back)
 {
     bool no_front = is_absent_coordinate(front.u[m]);
     bool no_back = is_absent_coordinate(back.u[m]);
-    if (no_front && no_back) {
-        return false;
+    present_share = 1.0;
+    if (no_front == no_back) {
+        return !no_front;
     }
-    present_share = no_front || no_back ? 0.5 : 1.0;
+    float present = no_front ? 1.0 : 0.0;  // shares of the segment
+    float hole = 1.0 - present;
+    vec2 depth = no_front ? back.depth[m] : front.depth[m];
+    float u = no_front ? back.u[m] : front.u[m];
+    for (int k = 0; k < 4; ++k) {
+        float middle = 0.5 * (present + hole);
+        Sample between = medium_sample(mix(t_front, t_back, middle));
+        if (is_absent_coordinate(between.u[m])) {
+            hole = middle;
+        } else {
+            present = middle;
+            u = between.u[m];
+            depth = between.depth[m];
+        }
+    }
+    float border = 0.5 * (present + hole);
+    present_share = no_front ? 1.0 - border : border;
     if (no_front) {
-        front.u[m] = back.u[m];
-        front.depth[m] = back.depth[m];
-    } else if (no_back) {
-        back.u[m] = front.u[m];
-        back.depth[m] = front.depth[m];
+        front.u[m] = u;
+        front.depth[m] = depth;
+    } else {
+        back.u[m] = u;
+        back.depth[m] = depth;
     }
     return true;
 }
@@ -258,7 +275,7 @@ bool medium_segment(Sample front, Sample back, float t_front, float t_back, out 
         part_source = optics.yzw * (1.0 / optics.x);
 #else
 #ifdef HOLES
-        if (!ends_present(m, front, back)) {
+        if (!ends_present(m, t_front, t_back, front, back)) {
             continue;
         }
         part *= present_share;
@@ -333,14 +350,26 @@ vec3 medium_lit(float weight)
 }
 #endif
 
+#if defined(REFINE) && defined(HOLES)
+bool medium_has_hole(Sample front, Sample middle, Sample back)
+{
+    bool has = false;
+    for (int m = 0; m < VOLUMES; ++m) {
+        has = has || is_absent_coordinate(front.u[m]) || is_absent_coordinate(middle.u[m]) ||
+              is_absent_coordinate(back.u[m]);
+    }
+    return has;
+}
+#endif
+
 #ifdef REFINE
 bool medium_may_show(Sample front, Sample back)
 {
     bool shows = false;
     for (int m = 0; m < VOLUMES; ++m) {
 #ifdef HOLES
-        if (is_absent_coordinate(front.u[m]) != is_absent_coordinate(back.u[m])) {
-            shows = true;  // somewhere in between the hole ends
+        if (is_absent_coordinate(front.u[m]) || is_absent_coordinate(back.u[m])) {
+            shows = true;  // the hole may end in between
             continue;
         }
 #endif

@@ -58,8 +58,10 @@ void load_missing_grids(scene::Scene& scene, const scene::Scene* known, const Pr
         if (!grid) {
             try {
                 grid = load_grid(volume->source, progress);
-            } catch (const Error& error) {
-                throw Error(error.code(), fmt::format("nodes.{}.source: {}", name, error.what()));
+            } catch (const InputError& error) {
+                throw InputError(fmt::format("nodes.{}.source: {}", name, error.what()));
+            } catch (const MachineError& error) {
+                throw MachineError(fmt::format("nodes.{}.source: {}", name, error.what()));
             }
         }
         volume->grid = std::move(grid);

@@ -44,7 +44,8 @@ constexpr double furthest_texel = 1e7;
 void upload_floats(const scene::VolumeGrid& grid, VolumeTexture& result) {
     result.texture = gl::Texture::make_3d(grid.name + ": voxels", GL_R32F, grid.size);
     result.holes = !grid.absent.empty();
-    const double width = result.value_of_one - result.value_of_zero;
+    // A constant of 1e30 takes the 1 up that was added to it.
+    const double width = result.value_of_one > result.value_of_zero ? result.value_of_one - result.value_of_zero : 1.0;
     const std::size_t slice = std::size_t(grid.size.x) * grid.size.y;
     scene::visit_voxels(grid, [&](auto samples) {
         upload_in_batches<float>(result.texture, grid.size, {GL_RED, GL_FLOAT}, 1, [&](int z, float* out) {
