@@ -1,16 +1,16 @@
 #version 450 core
 // The sky, the ground and the sun's disc around the camera, and the air before the scene's surfaces.
-// PREETHAM, LOOK: models for comparison in place of the atmosphere. MARCH: along each pixel's ray instead of from the
-// sky-view table, where rays have origins of their own or come from high up. OPAQUE: there are surfaces.
+// PREETHAM, LOOK: models for comparison in place of the atmosphere above the horizon. MARCH: along each pixel's ray
+// instead of from the sky-view table, where rays have origins of their own or come from high up. OPAQUE: there are
+// surfaces.
 #include "include/view_ray.glsl"
 #include "include/sky_air.glsl"
 #include "include/sky_tables.glsl"
 #include "include/sun_disc.glsl"
-#ifdef PREETHAM
-#include "include/sky_preetham.glsl"
-#endif
-#ifdef LOOK
-#include "include/sky_look.glsl"
+#if defined(PREETHAM) || defined(LOOK)
+#define MODEL
+#include "include/sky_model.glsl"
+uniform float model_share;     // 1 on the ground; the rest is the atmosphere, which knows the sky from higher up too
 #endif
 
 layout(location = 0) out vec4 picture;  // linear radiance; alpha = coverage by surfaces
@@ -22,8 +22,6 @@ uniform vec3 irradiance;       // of the sun, above the air
 uniform float sun_radius;      // radians
 uniform int limb_darkening;
 uniform float pixel_angle;     // radians; 0: parallel rays
-uniform float turbidity;
-uniform vec3 look;             // strengths of air and haze, asymmetry of haze
 #ifdef OPAQUE
 #include "include/opaque.glsl"
 uniform vec2 distance_scale;   // metres = x times what the texture holds, plus y
@@ -107,28 +105,28 @@ vec3 transmittance_of_sky(Place place)
 
 vec3 sun_disc(Place place, vec3 direction)
 {
-#ifdef LOOK
-    return vec3(0.0);  // it has its own
-#else
     if (place.toward_ground) {
         return vec3(0.0);
     }
     vec3 disc = sun_disc_in_pixel(angle_between(direction, to_sun), sun_radius, limb_darkening != 0, pixel_angle);
     return disc == vec3(0.0) ? disc : irradiance * disc * transmittance_of_sky(place);
-#endif
 }
 
 vec3 sky_radiance(Place place, vec3 direction)
 {
-#ifdef PREETHAM
-    // From the ground by day: below the horizon its colour goes on, and a sun that has set stays on it.
-    vec3 above = normalize(vec3(direction.x, max(direction.y, 1e-4), direction.z));
-    vec3 sun = normalize(vec3(to_sun.x, max(to_sun.y, 0.0), to_sun.z) + vec3(0.0, 1e-6, 0.0));
-    vec3 Yxy = preetham_Yxy(turbidity, above.y, angle_between(sun, vec3(0.0, 1.0, 0.0)), angle_between(above, sun));
-    // Per unit of the sun's irradiance: the solar illuminance above the air is 127.5 klx.
-    return irradiance * max(rec709_from_Yxy(Yxy), 0.0) / 127.5 + sun_disc(place, direction);
-#elif defined(LOOK)
-    return irradiance * look_radiance(direction, to_sun, turbidity, look.x, look.y, look.z);
+#ifdef MODEL
+    if (place.toward_ground) {
+        return atmosphere_radiance(place, direction);
+    }
+    vec3 model = irradiance * model_scale(to_sun.y);
+#ifdef LOOK
+    model *= look_radiance(direction, to_sun, turbidity, look.x, look.y, look.z, 1.0);  // with a disc of its own
+#else
+    model = model * model_sky(direction, to_sun) + sun_disc(place, direction);
+#endif
+    return model_share < 1.0
+               ? mix(atmosphere_radiance(place, direction) + sun_disc(place, direction), model, model_share)
+               : model;
 #else
     return atmosphere_radiance(place, direction) + sun_disc(place, direction);
 #endif

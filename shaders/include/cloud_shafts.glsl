@@ -7,7 +7,6 @@ uniform sampler3D shafts_share;      // the same as a share of all light that th
 uniform sampler3D shafts_ground;     // the sun's light from ground at a distance, were it there, per irradiance of the sun
 uniform vec3 shafts_sun;             // irradiance above the air
 uniform vec2 shafts_from_pixels;     // texture coordinates per pixel
-uniform float shafts_background;     // 1: the background has this air before it, 0: a sky without
 uniform mat3 shafts_axes;            // the camera's right, up and back
 uniform float shafts_altitude;       // of the eye, m
 uniform float shafts_planet_radius;  // m
@@ -65,7 +64,7 @@ vec3 without_missing_light(vec4 behind)
     end = behind.a > 0.0 ? surface * shafts_surface + shafts_skipped : end;
 #endif
     if (behind.a == 0.0 && end < 1e29) {
-        light -= min(shafts_background * missing_on_ground(ray, end), light);
+        light -= min(missing_on_ground(ray, end), light);
     }
-    return light - missing_light(light, mix(shafts_background, 1.0, behind.a), end);
+    return light - missing_light(light, 1.0, end);
 }

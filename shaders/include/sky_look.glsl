@@ -1,7 +1,9 @@
 // The look of three.js' Sky: single scattering with exponents that are no physics, and a disc of twice the sun's size.
-// For comparison. rayleigh and mie are strengths; the constants are per metre for 680, 550 and 450 nm.
+// For comparison. rayleigh and mie are strengths, sun_disc is 0 for none; the constants are per metre for 680, 550 and
+// 450 nm.
 
-vec3 look_radiance(vec3 direction, vec3 to_sun, float turbidity, float rayleigh_strength, float mie_strength, float g)
+vec3 look_radiance(vec3 direction, vec3 to_sun, float turbidity, float rayleigh_strength, float mie_strength, float g,
+                   float sun_disc)
 {
     vec3 molecules = vec3(5.804542996e-6, 1.356291142e-5, 3.026590247e-5) * rayleigh_strength;
     vec3 haze = 0.434 * 0.2 * turbidity * mie_strength * vec3(1.8399918514e-3, 2.7798023920e-3, 4.0790479544e-3);
@@ -19,7 +21,7 @@ vec3 look_radiance(vec3 direction, vec3 to_sun, float turbidity, float rayleigh_
     vec3 air_light = scattered * (1.0 - passed);
     vec3 in_scattered = air_light * sqrt(air_light) * mix(vec3(1.0), sqrt(scattered * passed), low_sun);
     const float disc = 0.99995667694;
-    vec3 direct = 0.1 * passed + 19000.0 * sun * passed * smoothstep(disc, disc + 0.00002, mu);
+    vec3 direct = 0.1 * passed + sun_disc * 19000.0 * sun * passed * smoothstep(disc, disc + 0.00002, mu);
     // A unit vector makes the original's fade of the sun, which divides by 450000, a constant 1.
     return pow((in_scattered + direct) * 0.04 + vec3(0.0, 0.0003, 0.00075), vec3(1.0 / 2.4));
 }

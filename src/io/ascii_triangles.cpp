@@ -7,14 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "io/blanks.h"
 #include "io/input_file.h"
 
 namespace bruma::io {
 namespace {
-
-bool is_blank(char c) {
-    return c == ' ' || c == '\t' || c == '\r' || c == ',' || c == ';';
-}
 
 bool is_text(std::string_view bytes) {
     return std::all_of(bytes.begin(), bytes.end(), [](char c) {
@@ -22,15 +19,12 @@ bool is_text(std::string_view bytes) {
     });
 }
 
-std::string_view without_comment(std::string_view line) {
-    line = line.substr(0, line.find('#'));
-    while (!line.empty() && is_blank(line.front())) {
-        line.remove_prefix(1);
-    }
-    while (!line.empty() && is_blank(line.back())) {
-        line.remove_suffix(1);
-    }
-    return line;
+/// What may stand between the numbers of a line.
+constexpr std::string_view separators = " \t\r,;";
+
+/// A line without its comment.
+std::string_view content_of(std::string_view line) {
+    return trimmed(line.substr(0, line.find('#')), separators);
 }
 
 /// The nine finite numbers of a line, or nothing.
@@ -39,30 +33,30 @@ std::optional<std::array<double, 9>> nine_numbers(std::string_view line) {
     const char* at = line.data();
     const char* const end = at + line.size();
     for (double& number : numbers) {
-        while (at != end && is_blank(*at)) {
+        while (at != end && is_blank(*at, separators)) {
             ++at;
         }
         if (at != end && *at == '+') {
             ++at;
         }
         const auto [after, error] = std::from_chars(at, end, number);
-        if (error != std::errc() || !std::isfinite(number) || (after != end && !is_blank(*after))) {
+        if (error != std::errc() || !std::isfinite(number) || (after != end && !is_blank(*after, separators))) {
             return std::nullopt;
         }
         at = after;
     }
-    while (at != end && is_blank(*at)) {
+    while (at != end && is_blank(*at, separators)) {
         ++at;
     }
     return at == end ? std::optional(numbers) : std::nullopt;
 }
 
-class Reader {
+class TriangleReader {
   public:
     /// Takes one line; false when the file turns out not to hold triangles.
     bool take(std::string_view line) {
         ++line_number_;
-        const std::string_view content = without_comment(line);
+        const std::string_view content = content_of(line);
         if (content.empty()) {
             return true;
         }
@@ -101,7 +95,7 @@ std::optional<AsciiTriangles> read_ascii_triangles(const std::filesystem::path& 
     constexpr std::int64_t chunk_bytes = 1 << 20;
     constexpr std::size_t longest_line = 4096;  // nine numbers need at most some 250
     const InputFile file(path);
-    Reader reader;
+    TriangleReader reader;
     std::string rest;
     for (std::int64_t offset = 0; offset < file.size();) {
         // A small first piece, so that a volume of many gigabytes is told apart after four kilobytes.
@@ -144,7 +138,7 @@ bool holds_ascii_triangles(const std::filesystem::path& path) {
     if (!is_text(head)) {
         return false;
     }
-    Reader reader;
+    TriangleReader reader;
     for (std::size_t from = 0; from < head.size();) {
         const std::size_t end = head.find('\n', from);
         if (end == std::string::npos && std::int64_t(head.size()) < file.size()) {

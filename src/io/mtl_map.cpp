@@ -4,12 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "io/blanks.h"
 #include "io/mtl_text.h"
 
 namespace bruma::io {
 namespace {
-
-constexpr std::string_view blanks = " \t\r";
 
 struct Option {
     std::string_view name;

@@ -59,9 +59,9 @@ glm::dvec3 rec709_of_xyz(const glm::dvec3& xyz) {
             0.0557 * xyz.x - 0.2040 * xyz.y + 1.0570 * xyz.z};
 }
 
-class Reader {
+class MtlReader {
   public:
-    Reader(const MtlEntry& entry, MtlFindings& findings) : entry_(entry), findings_(findings) {
+    MtlReader(const MtlEntry& entry, MtlFindings& findings) : entry_(entry), findings_(findings) {
         result_.material.name = entry.name;
     }
 
@@ -291,7 +291,7 @@ class Reader {
 }  // namespace
 
 MtlMaterial read_mtl_material(const MtlEntry& entry, MtlFindings& findings) {
-    return Reader(entry, findings).read();
+    return MtlReader(entry, findings).read();
 }
 
 std::vector<std::string> remarks_of(const MtlFindings& findings) {

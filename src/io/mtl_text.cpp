@@ -5,16 +5,10 @@
 #include <charconv>
 #include <limits>
 
+#include "io/blanks.h"
+
 namespace bruma::io {
 namespace {
-
-constexpr std::string_view blanks = " \t\v\f\r\n";
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t from = text.find_first_not_of(blanks);
-    return from == std::string_view::npos ? std::string_view()
-                                          : text.substr(from, text.find_last_not_of(blanks) - from + 1);
-}
 
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
@@ -91,8 +85,7 @@ MtlNumbers read_mtl_numbers(std::string_view text) {
     std::replace(plain.begin(), plain.end(), ',', result.decimal_commas ? '.' : ' ');
     const char* at = plain.data();
     const char* const end = at + plain.size();
-    const auto is_blank = [](char c) { return blanks.find(c) != std::string_view::npos; };
-    while ((at = std::find_if_not(at, end, is_blank)) != end) {
+    while ((at = std::find_if_not(at, end, [](char c) { return is_blank(c); })) != end) {
         at += *at == '+' ? 1 : 0;
         double value = 0.0;
         const auto [after, error] = std::from_chars(at, end, value);

@@ -6,27 +6,20 @@
 #include <cmath>
 #include <limits>
 
+#include "io/blanks.h"
 #include "io/picture_file.h"
 
 namespace bruma::io {
-namespace {
-
-bool is_blank(char c) {
-    return c == ' ' || c == '\t' || c == '\r';
-}
-
-}  // namespace
-
 void ObjColors::add(std::size_t ordinal, std::string_view numbers) {
     // x y z r g b, perhaps with an alpha behind; x y z w has no colour.
     std::array<float, 6> values{};
     const char* at = numbers.data();
     const char* const end = at + numbers.size();
     for (std::size_t n = 0; n < values.size(); ++n) {
-        at = std::find_if_not(at, end, is_blank);
+        at = std::find_if_not(at, end, [](char c) { return is_blank(c); });
         at += at != end && *at == '+' ? 1 : 0;
         if (n < 3) {  // coordinates are read elsewhere
-            at = std::find_if(at, end, is_blank);
+            at = std::find_if(at, end, [](char c) { return is_blank(c); });
             continue;
         }
         const auto [after, error] = std::from_chars(at, end, values[n]);

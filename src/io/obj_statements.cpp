@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "io/blanks.h"
+
 namespace bruma::io {
 namespace {
 
@@ -36,7 +38,6 @@ bool is_in(std::string_view keyword, std::string_view list) {
 }  // namespace
 
 void ObjStatements::add(std::string_view line) {
-    constexpr std::string_view blanks = " \t";
     line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
     const std::string_view keyword = line.substr(0, line.find_first_of(blanks));
     if (keyword.empty() || keyword == "g" || keyword == "o" || (keyword.front() == '#' && keyword != "#MRGB")) {

@@ -7,26 +7,13 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "io/blanks.h"
 #include "io/input_file.h"
 #include "io/raw_volume.h"
 #include "scene/mesh_unit.h"
 
 namespace bruma::io {
 namespace {
-
-bool is_blank(char c) {
-    return c == ' ' || c == '\t';
-}
-
-std::string_view without_blanks(std::string_view text) {
-    while (!text.empty() && is_blank(text.front())) {
-        text.remove_prefix(1);
-    }
-    while (!text.empty() && is_blank(text.back())) {
-        text.remove_suffix(1);
-    }
-    return text;
-}
 
 /// Takes one line off the text. Lines end in LF, CR LF or CR.
 std::string_view take_line(std::string_view& text) {
@@ -39,7 +26,7 @@ std::string_view take_line(std::string_view& text) {
 
 /// What stands behind a keyword; nothing when the line begins otherwise.
 bool begins_with(std::string_view line, std::string_view keyword, std::string_view& rest) {
-    line = without_blanks(line);
+    line = trimmed(line);
     if (!line.starts_with(keyword) || line.size() == keyword.size() || !is_blank(line[keyword.size()])) {
         return false;
     }
@@ -127,7 +114,7 @@ ObjText read_obj_text(const std::filesystem::path& path) {
         } else if (begins_with(line, "vt", rest)) {
             note(has_numbers(rest, 1), coordinates, obj.broken_coordinates);
         } else if (begins_with(line, "mtllib", rest)) {
-            obj.material_libraries.emplace_back(without_blanks(rest));
+            obj.material_libraries.emplace_back(trimmed(rest));
         } else if (begins_with(line, "f", rest)) {
             char* const from = obj.text.data() + (rest.data() - obj.text.data());
             char* const to = from + rest.size();

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/blanks.h"
 #include "io/volume_header.h"
 
 namespace bruma::io {
@@ -18,7 +19,6 @@ VolumeHeader parse_nrrd(const std::filesystem::path& path, std::string_view text
 
 /// The first line of `text`, without its end; `text` goes on behind it.
 std::string_view cut_line(std::string_view& text);
-std::string_view trimmed(std::string_view text);
 std::string lower_case(std::string_view text);
 std::vector<std::string> split_words(std::string_view text);
 

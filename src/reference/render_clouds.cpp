@@ -91,10 +91,11 @@ CloudLight cloud_light(const scene::Scene& scene) {
 }
 
 CloudSky::CloudSky(const scene::Scene& scene, const SkyTableOptions& options)
-    : tables_(std::make_shared<const AtmosphereTables>(*scene.outdoors->atmosphere, options)),
+    : tables_(std::make_shared<const AtmosphereTables>(*scene.outdoors->atmosphere,
+                                                       as_asked(options, *scene.outdoors->sky))),
       eye_world_((*scene.camera)->eye_world),
       irradiance_(scene.outdoors->sun->irradiance),
-      light_(light_of_sky(tables_, *scene.outdoors->sun, 1.0)) {}
+      light_(light_of_sky(tables_, *scene.outdoors->sun, 1.0, *scene.outdoors->sky)) {}
 
 std::function<AirLight(double)> CloudSky::air_along(const scene::Ray& ray, double longest_m,
                                                     std::span<const CloudMedium> shading, int samples) const {

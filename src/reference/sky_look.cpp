@@ -27,7 +27,8 @@ double look_air_mass(double zenith_deg) {
     return 1.0 / (cosine + 0.15 * std::pow(93.885 - zenith_deg, -1.253));
 }
 
-glm::dvec3 look_radiance(const scene::Sky& sky, const glm::dvec3& direction_world, const glm::dvec3& to_sun_world) {
+glm::dvec3 look_radiance(const scene::Sky& sky, const glm::dvec3& direction_world, const glm::dvec3& to_sun_world,
+                         bool with_disc) {
     const glm::dvec3 air = rayleigh_coefficient(wavelength_m) * sky.look_rayleigh;
     const glm::dvec3 haze = 0.434 * (0.2 * sky.turbidity * 1e-17) * mie_per_particle * sky.look_mie;
     const double zenith_deg = std::acos(std::clamp(direction_world.y, 0.0, 1.0)) * 180.0 / std::numbers::pi;
@@ -43,7 +44,9 @@ glm::dvec3 look_radiance(const scene::Sky& sky, const glm::dvec3& direction_worl
     const glm::dvec3 in_scattered = glm::pow(scattered * (1.0 - extinction), glm::dvec3(1.5)) *
                                     glm::mix(glm::dvec3(1.0), glm::sqrt(scattered * extinction), low_sun);
     constexpr double disc = 0.99995667694;
-    const glm::dvec3 direct = 0.1 * extinction + 19000.0 * sun * extinction * smoothstep(disc, disc + 0.00002, mu);
+    const glm::dvec3 direct =
+        0.1 * extinction +
+        (with_disc ? 19000.0 * sun * extinction * smoothstep(disc, disc + 0.00002, mu) : glm::dvec3(0.0));
     // A unit vector makes the original's fade of the sun, which divides by 450000, a constant 1 to five digits.
     const double fade = 1.0 - std::clamp(1.0 - std::exp(to_sun_world.y / 450000.0), 0.0, 1.0);
     return glm::pow((in_scattered + direct) * 0.04 + glm::dvec3(0.0, 0.0003, 0.00075),

@@ -8,18 +8,9 @@
 
 #include "reference/pixel_loop.h"
 #include "reference/sky_look.h"
-#include "reference/sky_preetham.h"
 
 namespace bruma::reference {
 namespace {
-
-/// The solar illuminance above the air, klx (IES): Preetham's kcd/m2 per unit of the sun's irradiance.
-constexpr double solar_illuminance_klx = 127.5;
-
-SkyTableOptions as_asked(SkyTableOptions options, const scene::Sky& sky) {
-    options.multiple_scattering = options.multiple_scattering && sky.multiple_scattering;
-    return options;
-}
 
 double climb_of(double place) {
     const double root = 2.0 * place - 1.0;
@@ -34,6 +25,11 @@ SkyTableOptions fine_sky_tables() {
             .multiple_size = {48, 48},
             .multiple_directions = 12,
             .multiple_steps = 40};
+}
+
+SkyTableOptions as_asked(SkyTableOptions options, const scene::Sky& sky) {
+    options.multiple_scattering = options.multiple_scattering && sky.multiple_scattering;
+    return options;
 }
 
 SkyPath sky_path(const AtmosphereTables& tables, const glm::dvec3& from, const glm::dvec3& direction,
@@ -72,11 +68,18 @@ SkyBackground::SkyBackground(const scene::Scene& scene, SkyTableOptions options)
       eye_world_((*scene.camera)->eye_world),
       to_sun_(scene::to_sun_world(*outdoors_.sun)),
       tables_(*outdoors_.atmosphere, as_asked(options, *outdoors_.sky)),
+      model_share_(scene::ground_sky_share(std::max(1.0, eye_world_.y))),
       sky_on_ground_(65) {
+    const scene::Sky& sky = *outdoors_.sky;
+    const bool has_model = sky.model != scene::SkyModel::atmosphere;
+    if (has_model) {
+        model_.emplace(sky, to_sun_, SkyView(tables_, 1.0, to_sun_, {64, 64}, 40).planar_irradiance());
+    }
     tbb::parallel_for(std::size_t(0), sky_on_ground_.size(), [&](std::size_t n) {
         const double climb = climb_of(double(n) / double(sky_on_ground_.size() - 1));
-        const SkyView view(tables_, 1.0, {std::sqrt(std::max(0.0, 1.0 - climb * climb)), climb, 0.0}, {32, 64}, 40);
-        sky_on_ground_[n] = view.planar_irradiance();
+        const glm::dvec3 to_sun(std::sqrt(std::max(0.0, 1.0 - climb * climb)), climb, 0.0);
+        const glm::dvec3 planar = SkyView(tables_, 1.0, to_sun, {32, 64}, 40).planar_irradiance();
+        sky_on_ground_[n] = has_model ? GroundSky(sky, to_sun, planar).irradiance().planar : planar;
     });
 }
 
@@ -99,28 +102,20 @@ glm::dvec3 SkyBackground::ground_radiance(double sun_climb) const {
 }
 
 glm::dvec3 SkyBackground::radiance(const scene::Ray& ray, int steps) const {
-    const scene::Sky& sky = *outdoors_.sky;
     const glm::dvec3 irradiance = outdoors_.sun->irradiance;
-    if (sky.model == scene::SkyModel::look) {
-        return irradiance * look_radiance(sky, ray.direction_world, to_sun_);
-    }
-    if (sky.model == scene::SkyModel::preetham) {
-        const glm::dvec3 d = ray.direction_world;
-        const glm::dvec3 above = glm::normalize(glm::dvec3(d.x, std::max(d.y, 1e-4), d.z));
-        const glm::dvec3 sun = glm::normalize(glm::dvec3(to_sun_.x, std::max(to_sun_.y, 1e-6), to_sun_.z));
-        const glm::dvec3 Yxy = preetham_Yxy(sky.turbidity, std::acos(above.y), std::acos(sun.y),
-                                            std::acos(std::clamp(glm::dot(above, sun), -1.0, 1.0)));
-        return irradiance * glm::max(rec709_from_Yxy(Yxy), 0.0) / solar_illuminance_klx;
-    }
     const SkyPath path = sky_path(tables_, from_sea_level(ray.origin_world), ray.direction_world, to_sun_, steps);
     const glm::dvec3 ground = path.sun_climb_at_ground ? ground_radiance(*path.sun_climb_at_ground) : glm::dvec3(0.0);
-    return irradiance * (path.air.radiance + path.air.transmittance * ground);
+    const glm::dvec3 seen = path.air.radiance + path.air.transmittance * ground;
+    if (!model_ || path.sun_climb_at_ground) {
+        return irradiance * seen;
+    }
+    return irradiance * glm::mix(seen, model_->radiance(ray.direction_world), model_share_);
 }
 
 bool SkyBackground::near_disc(const scene::Ray& ray, double margin_rad) const {
     const double angle = std::acos(std::clamp(glm::dot(ray.direction_world, to_sun_), -1.0, 1.0));
-    return outdoors_.sky->model != scene::SkyModel::look &&
-           angle < glm::radians(outdoors_.sun->angular_radius_deg) + margin_rad;
+    const double own = outdoors_.sky->model == scene::SkyModel::look ? look_disc_radius : 0.0;
+    return angle < std::max(own, glm::radians(outdoors_.sun->angular_radius_deg)) + margin_rad;
 }
 
 glm::dvec3 SkyBackground::disc(const scene::Ray& ray) const {
@@ -128,11 +123,16 @@ glm::dvec3 SkyBackground::disc(const scene::Ray& ray) const {
     const double angle =
         std::atan2(glm::length(glm::cross(ray.direction_world, to_sun_)), glm::dot(ray.direction_world, to_sun_));
     const glm::dvec3 bare = sun_disc_radiance(angle, glm::radians(sun.angular_radius_deg), sun.limb_darkening);
-    if (bare == glm::dvec3(0.0)) {
+    const bool own = outdoors_.sky->model == scene::SkyModel::look;
+    if (bare == glm::dvec3(0.0) && !own) {
         return bare;
     }
     const SkyPath path = sky_path(tables_, from_sea_level(ray.origin_world), ray.direction_world, to_sun_, 1000);
-    return path.sun_climb_at_ground ? glm::dvec3(0.0) : sun.irradiance * bare * path.air.transmittance;
+    if (path.sun_climb_at_ground) {
+        return glm::dvec3(0.0);
+    }
+    const glm::dvec3 behind_air = bare * path.air.transmittance;
+    return sun.irradiance * (own ? glm::mix(behind_air, model_->disc(ray.direction_world), model_share_) : behind_air);
 }
 
 SkyPictureResult render_sky(const scene::Scene& scene, int width, int height, int steps,

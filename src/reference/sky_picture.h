@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "base/image.h"
+#include "reference/sky_models.h"
 #include "reference/sky_tables.h"
 #include "scene/scene.h"
 
@@ -18,15 +19,17 @@ SkyPath sky_path(const AtmosphereTables& tables, const glm::dvec3& from, const g
                  const glm::dvec3& to_sun, int steps);
 
 SkyTableOptions fine_sky_tables();
+/// Without light that is scattered more than once where the sky has none.
+SkyTableOptions as_asked(SkyTableOptions options, const scene::Sky& sky);
 
 /// The sky of an outdoor scene, for any ray from its camera. May be used from several threads.
 class SkyBackground {
   public:
     /// By default from tables several times finer than those that pictures are drawn from.
     explicit SkyBackground(const scene::Scene& scene, SkyTableOptions options = fine_sky_tables());
-    /// Radiance of air and ground, or of the model for comparison, without the sun's disc.
+    /// Radiance of air and ground, above the horizon of the sky's model, without the sun's disc.
     glm::dvec3 radiance(const scene::Ray& ray, int steps) const;
-    /// Of the sun's disc alone, behind the air.
+    /// Of the sun's disc alone, behind the air, or as the model has it.
     glm::dvec3 disc(const scene::Ray& ray) const;
     bool near_disc(const scene::Ray& ray, double margin_rad) const;
 
@@ -38,6 +41,8 @@ class SkyBackground {
     glm::dvec3 eye_world_;
     glm::dvec3 to_sun_;
     AtmosphereTables tables_;
+    double model_share_ = 1.0;               ///< the rest is the atmosphere
+    std::optional<GroundSky> model_;         ///< nothing: the atmosphere
     std::vector<glm::dvec3> sky_on_ground_;  ///< planar irradiance by the sky, over the square root of the sun's climb
 };
 

@@ -185,20 +185,27 @@ glm::dvec3 SkyView::radiance(const glm::dvec3& direction_local) const {
     return table_.sample(coordinates);
 }
 
-glm::dvec3 SkyView::irradiance(bool with_cosine) const {
-    // Midpoints in the zenith angle and azimuth; the table has no finer structure.
+SkyIrradiance sky_irradiance(const std::function<glm::dvec3(const glm::dvec3& direction)>& radiance) {
+    // Midpoints in the zenith angle and azimuth; skies without a disc have no finer structure.
     constexpr int rings = 90, sectors = 180;
-    glm::dvec3 sum(0.0);
+    SkyIrradiance sum;
     for (int i = 0; i < rings; ++i) {
         const double zenith = 0.5 * std::numbers::pi * (i + 0.5) / rings;
         for (int j = 0; j < sectors; ++j) {
             const double azimuth = 2.0 * std::numbers::pi * (j + 0.5) / sectors;
             const glm::dvec3 direction(std::sin(zenith) * std::cos(azimuth), std::cos(zenith),
                                        std::sin(zenith) * std::sin(azimuth));
-            sum += radiance(direction) * (std::sin(zenith) * (with_cosine ? std::cos(zenith) : 1.0));
+            const glm::dvec3 light = radiance(direction) * std::sin(zenith);
+            sum.scalar += light;
+            sum.planar += light * std::cos(zenith);
         }
     }
-    return sum * (0.5 * std::numbers::pi / rings) * (2.0 * std::numbers::pi / sectors);
+    constexpr double share = (0.5 * std::numbers::pi / rings) * (2.0 * std::numbers::pi / sectors);
+    return {share * sum.planar, share * sum.scalar};
+}
+
+SkyIrradiance SkyView::irradiance() const {
+    return sky_irradiance([this](const glm::dvec3& direction) { return radiance(direction); });
 }
 
 }  // namespace bruma::reference

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -68,6 +69,12 @@ class AtmosphereTables {
     bool with_multiple_;
 };
 
+/// Light from the upper half of all directions, on a level plane and from all of them alike.
+struct SkyIrradiance {
+    glm::dvec3 planar{0.0}, scalar{0.0};
+};
+SkyIrradiance sky_irradiance(const std::function<glm::dvec3(const glm::dvec3& direction)>& radiance);
+
 /// The sky around one point, for irradiance 1 of the sun, without its disc.
 class SkyView {
   public:
@@ -75,11 +82,11 @@ class SkyView {
             glm::ivec2 size = {192, 108}, int steps = 30);
     glm::dvec3 radiance(const glm::dvec3& direction_local) const;
     /// Radiance over all upward directions, and the same weighted by the cosine.
-    glm::dvec3 scalar_irradiance() const { return irradiance(false); }
-    glm::dvec3 planar_irradiance() const { return irradiance(true); }
+    glm::dvec3 scalar_irradiance() const { return irradiance().scalar; }
+    glm::dvec3 planar_irradiance() const { return irradiance().planar; }
 
   private:
-    glm::dvec3 irradiance(bool with_cosine) const;
+    SkyIrradiance irradiance() const;
     scene::Atmosphere atmosphere_;
     double altitude_m_;
     glm::dvec3 to_sun_;

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -50,6 +51,11 @@ SunAngles sun_angles(double latitude_deg, double longitude_deg, glm::ivec3 date,
         std::sin(declination) * std::cos(latitude) - std::cos(declination) * std::sin(latitude) * std::cos(hour_angle);
     const double azimuth_deg = std::atan2(east, north) / rad;
     return {std::atan2(up, std::hypot(east, north)) / rad, azimuth_deg < 0.0 ? azimuth_deg + 360.0 : azimuth_deg};
+}
+
+double ground_sky_share(double altitude_m) {
+    const double climbed = std::clamp((altitude_m - 1e3) / 19e3, 0.0, 1.0);
+    return 1.0 - climbed * climbed * (3.0 - 2.0 * climbed);
 }
 
 glm::dvec3 to_sun_world(const Sun& sun) {

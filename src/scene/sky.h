@@ -128,7 +128,9 @@ void visit_fields(Self& sun, Visitor&& visit) {
 }
 
 /// atmosphere: Hillaire 2020; preetham: Preetham, Shirley, Smits 1999, from the ground by day only; look: the single
-/// scattering look of three.js' Sky, which Alaminos 2020 used. Clouds and scenes are lit by the first.
+/// scattering look of three.js' Sky, which Alaminos 2020 used. All have one unit, radiance where the sun's irradiance
+/// above the air is `Sun::irradiance`, light clouds and meshes with their own light, and stand over the same ground,
+/// sun and air before things, which are the atmosphere's.
 enum class SkyModel { atmosphere, preetham, look };
 template <>
 inline std::span<const std::string_view> enum_words<SkyModel>() {
@@ -151,13 +153,15 @@ struct Sky {
 template <class Self, class Visitor>
 requires std::same_as<std::remove_const_t<Self>, Sky>
 void visit_fields(Self& sky, Visitor&& visit) {
-    visit(Field{.name = "model", .sentence = "atmosphere: physical; preetham and look: for comparison"}, sky.model);
+    visit(
+        Field{.name = "model", .sentence = "atmosphere: physical; preetham and look: for comparison, from the ground"},
+        sky.model);
     visit(Field{.name = "multiple_scattering", .sentence = "atmosphere: light scattered more than once"},
           sky.multiple_scattering);
     visit(Field{.name = "shafts", .sentence = "air in the shadows of clouds is dark, so that beams of light are seen"},
           sky.shafts);
     visit(Field{.name = "turbidity",
-                .sentence = "preetham, look: 2 is clear, 10 hazy",
+                .sentence = "preetham, look: 2 is clear, 10 hazy, and preetham goes no further",
                 .min = 2.0,
                 .max = 20.0,
                 .panel_min = 2.0,
@@ -178,6 +182,15 @@ void visit_fields(Self& sky, Visitor&& visit) {
                 .panel_max = 0.99},
           sky.look_mie_g);
 }
+
+/// Luminance of linear Rec.709.
+inline double luminance(const glm::dvec3& rgb) {
+    return glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722));
+}
+
+/// The models for comparison are skies seen from the ground: their share of the sky at an altitude in metres, 1 up to
+/// 1 km; the rest, all from 20 km on, is the atmosphere's.
+double ground_sky_share(double altitude_m);
 
 /// Unit vector from the scene to the middle of the sun's disc. Place and time after the low-precision formulas of the
 /// Astronomical Almanac (Michalsky 1988, "The Astronomical Almanac's Algorithm for Approximate Solar Position"), within

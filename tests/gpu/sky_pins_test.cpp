@@ -70,12 +70,24 @@ TEST_F(SkyPins, TheAirRerunsAll) {
     EXPECT_EQ(std::count(names.begin(), names.end(), "sky_view"), 1);
 }
 
-TEST_F(SkyPins, ModelsForComparisonAndSpaceNeedNoView) {
+TEST_F(SkyPins, ModelsForComparisonChangeTheLightOfTheSkyAlone) {
+    add_mesh(scene, "quad", quad_mesh(1.0F), glm::dvec3(0.5), {.translation = {0.0, 2.0, -3.0}});
+    reruns();
+    scene.outdoors->sky.edit([](scene::Sky& sky) { sky.turbidity = 5.0; });
+    EXPECT_EQ(reruns(), (Names{"march", "sky"})) << "the atmosphere has none";
+    EXPECT_FALSE(compiled("PREETHAM"));
+    // The ground in the view lies under another sky.
+    const Names all{"march", "opaque", "sky", "sky_irradiance", "sky_light", "sky_view"};
     scene.outdoors->sky.edit([](scene::Sky& sky) { sky.model = scene::SkyModel::preetham; });
-    const Names preetham = reruns();
-    EXPECT_EQ(std::count(preetham.begin(), preetham.end(), "sky_view"), 0);
+    EXPECT_EQ(reruns(), all);
     EXPECT_FALSE(compiled("LOOK"));
-    scene.outdoors->sky.edit([](scene::Sky& sky) { sky.model = scene::SkyModel::atmosphere; });
+    scene.outdoors->sky.edit([](scene::Sky& sky) { sky.turbidity = 3.0; });
+    EXPECT_EQ(reruns(), all);
+    scene.outdoors->sky.edit([](scene::Sky& sky) { sky.look_mie_g = 0.5; });
+    EXPECT_EQ(reruns(), (Names{"march", "sky"})) << "not its own";
+}
+
+TEST_F(SkyPins, SpaceNeedsNoView) {
     scene.camera->edit([](scene::Camera& camera) { camera.eye_world.y = 300e3; });
     const Names space = reruns();
     EXPECT_EQ(std::count(space.begin(), space.end(), "sky_view"), 0);

@@ -91,8 +91,12 @@ Variants mesh_variants() {
            sun * shadows_of_clouds * inside + samples * Variants{{{"MAP_READS", ""}, {"TRANSLUCENT", ""}}} * maps;
 }
 
+Variants sky_models() {
+    return Variants{{}, {{"PREETHAM", ""}}, {{"LOOK", ""}}};
+}
+
 Variants sky_variants() {
-    return Variants{{}, {{"PREETHAM", ""}}, {{"LOOK", ""}}} * each_or_none({"MARCH", "OPAQUE"});
+    return sky_models() * each_or_none({"MARCH", "OPAQUE"});
 }
 
 const std::vector<const char*> cloud_field{"OVERLAY", "FOLLOWS_TOP", "LINEAR_COVERAGE", "PACKED"};
@@ -158,6 +162,7 @@ std::vector<gl::Defines> shader_variants(const std::string& file) {
              return Variants{{}, {{"CUBE_LAMPS", ""}}, {{"STANDARD_DIPOLE", ""}}, {{"EXPONENTIAL_DISK", ""}}};
          }},
         {"sky.frag", sky_variants},
+        {"sky_irradiance.comp", sky_models},
         {"surface_layers.frag",
          [] {
              return Variants{{{"SAMPLES", "4"}}};

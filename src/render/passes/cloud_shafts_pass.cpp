@@ -37,7 +37,6 @@ void CloudShafts::set(gl::Program& program, const scene::Camera& camera, glm::iv
     program.set("shafts.growth", float(growth));
     program.set("shafts_sun", glm::vec3(sun_irradiance));
     program.set("shafts_from_pixels", glm::vec2(1.0 / (glm::dvec2(missing.size()) * double(cell))));
-    program.set("shafts_background", sky_has_air ? 1.0F : 0.0F);
     program.set("shafts_axes", glm::mat3(glm::dmat3(frame.right_world, frame.up_world, frame.back_world)));
     program.set("shafts_altitude", float(std::max(1.0, camera.eye_world.y)));
     program.set("shafts_planet_radius", float(planet_radius_m));
@@ -68,9 +67,7 @@ void CloudShaftsPass::update(const scene::Scene& scene, const CloudShadows& shad
         reads.push_back(air.multiple_scattering.index);
     }
     shadows.add_reads(reads);
-    const Parameters parameters{pixels,  shadows,
-                                air,     sun_direction_world(scene),
-                                reach_m, scene.outdoors->sky->model == scene::SkyModel::atmosphere};
+    const Parameters parameters{pixels, shadows, air, sun_direction_world(scene), reach_m};
     graph_.set_reads(pass_, reads);
     graph_.set_parameters(pass_, parameters);
     graph_.set_execute(pass_, [this, parameters](const PassAccess& access) { draw(access, parameters); });
@@ -90,7 +87,6 @@ void CloudShaftsPass::draw(const PassAccess& access, const Parameters& parameter
     out.cell = cell_of(parameters.pixels);
     out.sun_irradiance = parameters.air.sun_irradiance;
     out.planet_radius_m = parameters.air.atmosphere.planet_radius_m;
-    out.sky_has_air = parameters.sky_has_air;
     const glm::ivec3 size((parameters.pixels + out.cell - 1) / out.cell, shaft_slices);
     if (!out.missing || out.missing.size() != size) {
         out.missing = gl::Texture::make_3d("light missing in air", GL_RGBA16F, size);

@@ -17,7 +17,6 @@ struct CloudShafts {
     int cell = 1;  ///< edge in pixels
     glm::dvec3 sun_irradiance{0.0};
     double planet_radius_m = 0.0;
-    bool sky_has_air = true;  ///< the picture of the sky has this air, and is no sky for comparison
 
     /// Everything but the shader's view, which it shares. Binds three textures from `unit` on, which is moved.
     void set(gl::Program& program, const scene::Camera& camera, glm::ivec2 pixels, GLuint& unit) const;
@@ -42,7 +41,6 @@ class CloudShaftsPass {
         AirTables air;
         glm::dvec3 to_sun_world{0.0, 1.0, 0.0};
         double reach_m = 0.0;
-        bool sky_has_air = true;
         bool operator==(const Parameters&) const = default;
     };
     void draw(const PassAccess& access, const Parameters& parameters);

@@ -60,6 +60,12 @@ bool is_marched(const scene::Camera& camera, const scene::Atmosphere& atmosphere
            eye_altitude_m(camera) > std::min(highest_view_m, atmosphere.height_m);
 }
 
+void define_model(gl::Defines& defines, scene::SkyModel model) {
+    if (model != scene::SkyModel::atmosphere) {
+        defines[model == scene::SkyModel::preetham ? "PREETHAM" : "LOOK"] = "";
+    }
+}
+
 }  // namespace
 
 SkyPasses::SkyPasses(FrameGraph& graph, gl::ShaderLibrary& shaders) : graph_(graph), shaders_(shaders) {
@@ -112,8 +118,10 @@ void SkyPasses::update(const scene::Scene& scene, Handle<OpaquePicture> opaque, 
         tables.push_back(multiple_scattering.index);
     }
     graph_.set_reads(irradiance_pass_, tables);
+    const ModelParameters model = model_parameters(*outdoors.sky);
+    graph_.set_parameters(irradiance_pass_, model);
     graph_.set_execute(irradiance_pass_,
-                       [this, multiple](const PassAccess& access) { make_irradiance(access, multiple); });
+                       [this, model, multiple](const PassAccess& access) { make_irradiance(access, model, multiple); });
     tables.push_back(irradiance.index);
 
     const ViewParameters view_parameters{rounded_altitude_m(eye_altitude_m(camera)),
@@ -135,7 +143,7 @@ void SkyPasses::update(const scene::Scene& scene, Handle<OpaquePicture> opaque, 
     if (opaque.index >= 0) {
         tables.push_back(opaque.index);
     }
-    if (outdoors.sky->model == scene::SkyModel::atmosphere && !marched) {
+    if (!marched) {
         tables.push_back(view.index);
     }
     const PictureParameters parameters{pixels, *outdoors.sky, *outdoors.sun, opaque,
@@ -185,11 +193,31 @@ void SkyPasses::make_multiple_scattering(const PassAccess& access) {
     dispatch_over(multiple_size, {8, 8});
 }
 
-void SkyPasses::make_irradiance(const PassAccess& access, bool multiple) {
+SkyPasses::ModelParameters SkyPasses::model_parameters(const scene::Sky& sky) {
+    switch (sky.model) {
+        case scene::SkyModel::atmosphere:
+            return {};
+        case scene::SkyModel::preetham:
+            return {sky.model, sky.turbidity, {}};
+        case scene::SkyModel::look:
+            break;
+    }
+    return {sky.model, sky.turbidity, {sky.look_rayleigh, sky.look_mie, sky.look_mie_g}};
+}
+
+void SkyPasses::set_model(gl::Program& program, const ModelParameters& parameters) {
+    program.set("turbidity", float(parameters.turbidity));
+    program.set("look", glm::vec3(parameters.look));
+}
+
+void SkyPasses::make_irradiance(const PassAccess& access, const ModelParameters& parameters, bool multiple) {
     SkyTable& table = access.write(irradiance);
     make_table(table.texture, "sky on the ground", irradiance_size);
-    gl::Program& program = shaders_.get("sky_irradiance.comp");
+    gl::Defines defines;
+    define_model(defines, parameters.model);
+    gl::Program& program = shaders_.get("sky_irradiance.comp", defines);
     bind_tables(access, program, multiple, false);
+    set_model(program, parameters);
     program.use();
     bind_image(0, table.texture);
     dispatch_over({irradiance_size.x, 1}, {64, 1});
@@ -233,10 +261,7 @@ void SkyPasses::draw(const PassAccess& access, const PictureParameters& paramete
     const SurfaceLayers* const surfaces = has_surfaces ? &access.read(parameters.opaque).layers : nullptr;
     make_targets(out, parameters.pixels, has_surfaces ? surfaces->count : 1);
     gl::Defines defines;
-    const scene::SkyModel model = parameters.sky.model;
-    if (model != scene::SkyModel::atmosphere) {
-        defines[model == scene::SkyModel::preetham ? "PREETHAM" : "LOOK"] = "";
-    }
+    define_model(defines, parameters.sky.model);
     if (marched) {
         defines["MARCH"] = "";
     }
@@ -245,11 +270,10 @@ void SkyPasses::draw(const PassAccess& access, const PictureParameters& paramete
     }
     gl::Program& program = shaders_.get("sky.frag", defines);
     GLuint unit = bind_tables(access, program, parameters.sky.multiple_scattering, true);
-    const bool tabulated = model == scene::SkyModel::atmosphere && !marched;
     const gl::Texture none;
-    (tabulated ? access.read(view).clear : none).bind(unit);
+    (marched ? none : access.read(view).clear).bind(unit);
     program.set("clear_table", int(unit++));
-    (tabulated ? access.read(view).haze : none).bind(unit);
+    (marched ? none : access.read(view).haze).bind(unit);
     program.set("haze_table", int(unit++));
     const GLuint surface_unit = unit;
     if (has_surfaces) {
@@ -269,9 +293,8 @@ void SkyPasses::draw(const PassAccess& access, const PictureParameters& paramete
     program.set("sun_radius", float(glm::radians(parameters.sun.angular_radius_deg)));
     program.set("limb_darkening", parameters.sun.limb_darkening ? 1 : 0);
     program.set("pixel_angle", orthographic ? 0.0F : float(2.0 * std::atan(half.y / parameters.pixels.y)));
-    program.set("turbidity", float(parameters.sky.turbidity));
-    program.set("look", glm::vec3(glm::dvec3(parameters.sky.look_rayleigh, parameters.sky.look_mie,
-                                             parameters.sky.look_mie_g)));
+    set_model(program, model_parameters(parameters.sky));
+    program.set("model_share", float(scene::ground_sky_share(eye_altitude_m(camera))));
     for (std::size_t layer = 0; layer < out.layers.size(); ++layer) {
         if (has_surfaces) {
             surfaces->bind(program, int(layer), surface_unit);

@@ -25,8 +25,8 @@ struct SkyPicture {
     std::vector<Layer> layers;
 };
 
-/// Sky, air and ground around a scene. Three tables depend on the air alone, the sky view on the sun's elevation and
-/// the camera's altitude too, the light on the sun.
+/// Sky, air and ground around a scene. Three tables depend on the air alone (that of light on the ground on the sky's
+/// model, too), the sky view on the sun's elevation and the camera's altitude too, the light on the sun.
 class SkyPasses {
   public:
     SkyPasses(FrameGraph& graph, gl::ShaderLibrary& shaders);
@@ -45,6 +45,16 @@ class SkyPasses {
     Handle<SkyViewTables> view;
 
   private:
+    /// What the light of the whole sky depends on beside the air: nothing where the model is the atmosphere.
+    struct ModelParameters {
+        scene::SkyModel model = scene::SkyModel::atmosphere;
+        double turbidity = 0.0;
+        glm::dvec3 look{0.0};  ///< strengths of air and haze, asymmetry of haze
+        bool operator==(const ModelParameters&) const = default;
+    };
+    static ModelParameters model_parameters(const scene::Sky& sky);
+    static void set_model(gl::Program& program, const ModelParameters& parameters);
+
     struct ViewParameters {
         double altitude_m = 1.0;  ///< rounded: the sky changes slowly with it
         double sun_climb = 0.0;
@@ -60,7 +70,7 @@ class SkyPasses {
     };
     void make_transmittance(const PassAccess& access);
     void make_multiple_scattering(const PassAccess& access);
-    void make_irradiance(const PassAccess& access, bool multiple);
+    void make_irradiance(const PassAccess& access, const ModelParameters& parameters, bool multiple);
     void make_view(const PassAccess& access, const ViewParameters& parameters, bool multiple);
     void make_light(const PassAccess& access, const scene::Sun& sun, bool multiple);
     void draw(const PassAccess& access, const PictureParameters& parameters, bool marched);
