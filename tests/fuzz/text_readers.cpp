@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "io/foreign_format.h"
 #include "io/json_text.h"
 #include "io/mesh_source.h"
 #include "io/raw_layout.h"
@@ -11,6 +12,7 @@
 #include "io/scene_json.h"
 #include "io/scene_settings.h"
 #include "io/transfer_function_file.h"
+#include "io/volume_header.h"
 #include "io_picture_samples.h"
 #include "readers.h"
 #include "scene/builtin.h"
@@ -165,6 +167,55 @@ Reader raw_volume() {
         }};
 }
 
+/// MetaImage and NRRD, beside a raw file of 64 samples and before its own.
+Reader volume_header() {
+    const std::string metaimage =
+        "ObjectType = Image\nNDims = 3\nDimSize = 4 4 4\nElementType = MET_UCHAR\nElementSpacing = 1 1 2\n"
+        "BinaryDataByteOrderMSB = False\nHeaderSize = 0\nElementDataFile = v.raw\n";
+    const std::string nrrd =
+        "NRRD0004\n# comment\ntype: uint8\ndimension: 3\nsizes: 4 4 4\nspacings: 1 1 2\nencoding: raw\n";
+    return {"volume-header",
+            {metaimage, nrrd + "data file: v.raw\n\n", nrrd + "\n" + io::samples::noise(64)},
+            {"ElementDataFile = LOCAL\n",
+             "ElementDataFile = LIST\n",
+             "MET_FLOAT",
+             "MET_SHORT",
+             "CompressedData = True\n",
+             "TransformMatrix = 1 0 0 0 1 0 0 0 1\n",
+             "NDims = 4\n",
+             "HeaderSize = -1\n",
+             "endian: big\n",
+             "space directions: (1,0,0) (0,1,0) (0,0,2)\n",
+             "space: left-posterior-superior\n",
+             "byte skip: -1\n",
+             "line skip: 3\n",
+             "encoding: gzip\n",
+             "data file: %d.raw 0 3 1\n",
+             "kinds: domain domain domain\n",
+             "nan",
+             "none",
+             "v.raw",
+             "../",
+             "\n"},
+            [](const std::string& input, const fs::path& folder) {
+                put(folder, "v.raw", io::samples::noise(64));
+                const fs::path path = put(folder, "v.mhd", input);
+                each({[&] { io::read_volume_header(path); }, [&] { io::load_raw_volume(path, {}); },
+                      [&] { io::load_raw_volume(folder / "v.raw", {}); }});
+            }};
+}
+
+/// What a file of another program's is, by the bytes at its beginning; no fault is told.
+Reader foreign() {
+    return {"foreign",
+            {"\x5c\x01\x00\x00" + io::samples::noise(400), "\x1f\x8b\x08\x00" + io::samples::noise(60),
+             "PK\x03\x04" + io::samples::noise(60), "# vtk DataFile Version 3.0\nx\nASCII\n", "ply\nformat ascii 1.0\n",
+             std::string(128, '\0') + "DICM" + io::samples::noise(60), "solid x\nfacet normal 0 0 1\n"},
+            {"n+1", "ni1", "GIF89a", "\x89HDF", "CDF\x01", "II*", "glTF", "BZh", "\x28\xb5\x2f\xfd",
+             "version https://git-lfs"},
+            [](const std::string& input, const fs::path& folder) { io::foreign_format(put(folder, "f.raw", input)); }};
+}
+
 Reader mesh(const std::string& name, const std::string& file, std::vector<std::string> sound,
             std::vector<std::string> words) {
     return {name, std::move(sound), std::move(words), [file](const std::string& input, const fs::path& folder) {
@@ -184,6 +235,8 @@ std::vector<Reader> text_readers() {
         sidecar(),
         curve(),
         raw_volume(),
+        volume_header(),
+        foreign(),
         mesh("obj", "m.obj", {box_obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
              {"f ",      "v ",    "vt ",  "vn ", "\n",      "/",         "//",  "-1",          "usemtl ",  "mtllib ",
               "l 1 2\n", "p 1\n", "\\\n", "o ",  "s off\n", "f 1 1 1\n", "nan", "99999999999", "vp 0 0\n", "t "}),
