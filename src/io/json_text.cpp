@@ -67,16 +67,16 @@ class ParserWatch {
   public:
     explicit ParserWatch(const std::string& name) : name_(name) {}
     bool operator()(int depth, json::parse_event_t event, json& parsed) {
-        using enum json::parse_event_t;
-        if ((event == object_start || event == array_start) && depth >= most_levels_of_json) {
+        using Event = json::parse_event_t;
+        if ((event == Event::object_start || event == Event::array_start) && depth >= most_levels_of_json) {
             throw InputError(fmt::format("{}: brackets stand {} deep, but at most {} are read; is it the right file?",
                                          name_, depth + 1, most_levels_of_json));
         }
-        if (event == object_start) {
+        if (event == Event::object_start) {
             open_.emplace_back();
-        } else if (event == object_end) {
+        } else if (event == Event::object_end) {
             open_.pop_back();
-        } else if (event == key && !open_.back().insert(parsed.get<std::string>()).second) {
+        } else if (event == Event::key && !open_.back().insert(parsed.get<std::string>()).second) {
             throw InputError(fmt::format("{}: the key '{}' is given twice in one object; remove one", name_,
                                          parsed.get<std::string>()));
         }

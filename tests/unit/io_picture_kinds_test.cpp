@@ -96,8 +96,9 @@ TEST(PictureKinds, WhatIsNotReadIsNamedAtEveryDoor) {
         {"\x89PNG\r\n\x1a\n" + png_chunk("CgBI", zeros(4)), "telephones"},
     };
     for (const auto& [bytes, what] : cases) {
+        const auto file = folder.write("t.png", bytes);
         for (const Door& door : doors) {
-            const std::string sentence = refusal([&] { door.read(folder.write("t.png", bytes)); });
+            const std::string sentence = refusal([&] { door.read(file); });
             EXPECT_TRUE(contains(sentence, what) && contains(sentence, "convert it to .png")) << door.name << sentence;
         }
     }

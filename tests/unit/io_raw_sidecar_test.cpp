@@ -43,7 +43,8 @@ TEST(RawSidecar, AnotherProgramsFileIsPassedOverAndSaidOnce) {
 TEST(RawSidecar, OursAmongUnknownKeysIsReadAndTheRestIsSaid) {
     const TemporaryFolder folder;
     const auto raw = folder.write("v_2x2x2_uint8.raw", "12345678");
-    const auto json = folder.write("v_2x2x2_uint8.json", R"({"spacing_mm": [1, 2, 3], "Modality": "MR", "Patient": "x"})");
+    const auto json =
+        folder.write("v_2x2x2_uint8.json", R"({"spacing_mm": [1, 2, 3], "Modality": "MR", "Patient": "x"})");
     EXPECT_EQ(find_raw_layout(raw, {}).spacing_m, glm::dvec3(1e-3, 2e-3, 3e-3));
     EXPECT_EQ(times_said(json, "its 'Modality', 'Patient' are unknown, but for 'spacing_mm'"), 1U);
 }
