@@ -25,7 +25,8 @@ struct SceneArguments {
     /// Throws InputError for words that are no layout.
     scene::VolumeSource hints() const;
     glm::ivec2 pixels() const;
-    /// `settings` between those that --common-coordinates and --time stand for. Throws InputError for what is no moment.
+    /// `settings` between those that --common-coordinates and --time stand for. Throws InputError for what is no
+    /// moment.
     std::vector<std::string> all_settings() const;
 };
 

@@ -53,7 +53,7 @@ TEST(JsonText, MessagesHoldNoWordsOfTheLibrary) {
         EXPECT_FALSE(contains(sentence, "exception")) << sentence;
     }
     const std::string sentence = refusal([] { json_text(nlohmann::json("\xff")); });
-    EXPECT_TRUE(contains(sentence, "cannot stand in JSON")) << sentence;
+    EXPECT_TRUE(contains(sentence, "is not UTF-8")) << sentence;
     EXPECT_FALSE(contains(sentence, "exception")) << sentence;
 }
 
