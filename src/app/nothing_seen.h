@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "render/picture_coverage.h"
+#include "render/compose/picture_coverage.h"
 #include "scene/scene.h"
 
 namespace bruma::app {

@@ -12,9 +12,9 @@
 #include "base/error.h"
 #include "base/installation.h"
 #include "base/nearest_name.h"
-#include "io/grid_source.h"
 #include "io/input_file.h"
 #include "io/open.h"
+#include "io/volume/grid_source.h"
 
 namespace bruma::app {
 namespace {

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "base/error.h"
-#include "io/grid_source.h"
-#include "io/mesh_source.h"
-#include "io/mesh_text.h"
+#include "io/mesh/mesh_source.h"
+#include "io/mesh/mesh_text.h"
 #include "io/open.h"
-#include "io/raw_proposals.h"
-#include "io/raw_volume.h"
+#include "io/volume/grid_source.h"
+#include "io/volume/raw_proposals.h"
+#include "io/volume/raw_volume.h"
 
 namespace bruma::io {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/volume.h"
+#include "scene/volume/volume.h"
 
 namespace bruma::io {
 

@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "io/foreign_volume.h"
 #include "io/input_file.h"
+#include "io/volume/foreign_volume.h"
 
 namespace bruma::io {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "io/mtl_text.h"
+#include "io/mesh/mtl_text.h"
 
 namespace bruma::io {
 namespace {

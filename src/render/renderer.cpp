@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/log.h"
-#include "render/far_lamps.h"
+#include "render/light/far_lamps.h"
 #include "render/view_rays.h"
-#include "scene/sun_lamp.h"
+#include "scene/sky/sun_lamp.h"
 
 namespace bruma::render {
 namespace {

@@ -5,13 +5,13 @@
 
 #include "base/image.h"
 #include "gl/shader_library.h"
-#include "render/clouds.h"
+#include "render/clouds/clouds.h"
 #include "render/frame_graph.h"
-#include "render/passes/map_reads_pass.h"
-#include "render/passes/march_pass.h"
-#include "render/passes/path_trace_pass.h"
-#include "render/passes/sky_passes.h"
-#include "render/volume_needs.h"
+#include "render/march/march_pass.h"
+#include "render/paths/path_trace_pass.h"
+#include "render/sky/sky_passes.h"
+#include "render/surfaces/map_reads_pass.h"
+#include "render/volume/volume_needs.h"
 #include "scene/scene.h"
 
 namespace bruma::render {

@@ -1,7 +1,7 @@
 #pragma once
 #include <glm/glm.hpp>
 
-#include "render/path_goal.h"
+#include "render/paths/path_goal.h"
 
 namespace bruma::render {
 

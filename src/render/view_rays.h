@@ -21,10 +21,10 @@ glm::dvec2 half_view(const scene::Camera& camera, glm::ivec2 pixels, double unit
 /// Names of the lights that shine, directional ones first. Black ones cost nothing.
 std::vector<std::string> order_lights(const scene::Scene& scene);
 
-/// Adds how many lights there are of either sort, as include/lights.glsl wants to know.
+/// Adds how many lights there are of either sort, as light/lights.glsl wants to know.
 void count_lights(gl::Defines& defines, const std::vector<scene::Light>& lights);
 
-/// Sets the lights of include/lights.glsl, lengths in units of `unit_world` metres. They must come with the directional
+/// Sets the lights of light/lights.glsl, lengths in units of `unit_world` metres. They must come with the directional
 /// ones first, as `order_lights` leaves them.
 void set_lights(gl::Program& program, const std::vector<scene::Light>& lights, const scene::Camera& camera,
                 double unit_world);

@@ -7,13 +7,13 @@
 
 #include "base/revision.h"
 #include "scene/camera.h"
-#include "scene/clouds.h"
+#include "scene/clouds/clouds.h"
 #include "scene/light.h"
-#include "scene/mesh.h"
+#include "scene/mesh/mesh.h"
 #include "scene/rendering.h"
-#include "scene/sky.h"
+#include "scene/sky/sky.h"
 #include "scene/timeline.h"
-#include "scene/volume.h"
+#include "scene/volume/volume.h"
 
 namespace bruma::scene {
 

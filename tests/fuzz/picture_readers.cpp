@@ -4,9 +4,9 @@
 #include <array>
 #include <memory>
 
-#include "io/mesh_texture.h"
-#include "io/picture_file.h"
-#include "io/weather_file.h"
+#include "io/mesh/mesh_texture.h"
+#include "io/picture/picture_file.h"
+#include "io/picture/weather_file.h"
 #include "io_picture_samples.h"
 #include "readers.h"
 

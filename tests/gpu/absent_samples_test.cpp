@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "drawing.h"
-#include "measure/image_error.h"
+#include "measure/metrics/image_error.h"
 #include "path_tracing.h"
 
 namespace bruma::render {

@@ -3,8 +3,8 @@
 #include <array>
 
 #include "drawing.h"
-#include "measure/image_error.h"
-#include "scene/builtin.h"
+#include "measure/metrics/image_error.h"
+#include "scene/builtin/builtin.h"
 
 namespace bruma::render {
 namespace {

@@ -1,8 +1,8 @@
 // Shelf: independent reference. Clouds in one scene with meshes: rays end at surfaces, whichever is in front.
 #include "cloud_scenes.h"
 #include "opaque_mesh.h"
-#include "reference/cloud_march.h"
-#include "reference/render_clouds.h"
+#include "reference/clouds/cloud_march.h"
+#include "reference/clouds/render_clouds.h"
 
 namespace bruma::render {
 namespace {

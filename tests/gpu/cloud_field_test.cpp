@@ -4,9 +4,9 @@
 
 #include "drawing.h"
 #include "gl/buffer.h"
-#include "reference/cloud_field.h"
-#include "reference/cloud_intervals.h"
-#include "render/cloud_uniforms.h"
+#include "reference/clouds/cloud_field.h"
+#include "reference/clouds/cloud_intervals.h"
+#include "render/clouds/cloud_uniforms.h"
 
 namespace bruma::render {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "cloud_scenes.h"
 #include "drawing.h"
-#include "measure/image_error.h"
+#include "measure/metrics/image_error.h"
 
 namespace bruma::render {
 namespace {

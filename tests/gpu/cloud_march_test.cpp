@@ -4,7 +4,7 @@
 
 #include "cloud_scenes.h"
 #include "drawing.h"
-#include "reference/render_clouds.h"
+#include "reference/clouds/render_clouds.h"
 
 namespace bruma::render {
 namespace {

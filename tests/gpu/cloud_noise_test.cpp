@@ -1,5 +1,5 @@
 // Shelf: independent reference. Noise textures made by the GPU against their definition in double precision.
-#include "reference/noise.h"
+#include "reference/clouds/noise.h"
 
 #include <cmath>
 #include <numeric>
@@ -15,7 +15,7 @@ class CloudNoise : public Drawing {
     /// All texels of a cube, four floats each, first channel first.
     std::vector<float> made(int size, bool detail, GLenum format, const char* glsl_format) {
         gl::Texture texture = gl::Texture::make_3d("cloud noise under test", format, glm::ivec3(size));
-        gl::Program& program = shaders().get("cloud_noise.comp", {{"TEXEL_FORMAT", glsl_format}});
+        gl::Program& program = shaders().get("clouds/cloud_noise.comp", {{"TEXEL_FORMAT", glsl_format}});
         program.use();
         program.set("detail", detail ? 1 : 0);
         glBindImageTexture(0, texture.name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, format);

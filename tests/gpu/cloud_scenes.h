@@ -1,6 +1,6 @@
 #pragma once
-#include "reference/cloud_field.h"
-#include "scene/builtin_clouds.h"
+#include "reference/clouds/cloud_field.h"
+#include "scene/builtin/builtin_clouds.h"
 
 namespace bruma::render {
 

@@ -5,7 +5,7 @@
 #include "cloud_scenes.h"
 #include "kept_renderer.h"
 #include "opaque_mesh.h"
-#include "reference/render_clouds.h"
+#include "reference/clouds/render_clouds.h"
 
 namespace bruma::render {
 namespace {

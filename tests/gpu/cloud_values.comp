@@ -1,12 +1,12 @@
 #version 450 core
-// Looks up include/cloud_field.glsl at points (x, altitude, z) that a test gives: density, coverage, shape, density without
+// Looks up clouds/cloud_field.glsl at points (x, altitude, z) that a test gives: density, coverage, shape, density without
 // detail. INTERVALS: instead the intervals of rays (altitude, climb, lower and upper altitude of the layer).
 layout(local_size_x = 64) in;
 #ifdef INTERVALS
-#include "include/cloud_intervals.glsl"
+#include "clouds/cloud_intervals.glsl"
 uniform float planet_radius;
 #else
-#include "include/cloud_field.glsl"
+#include "clouds/cloud_field.glsl"
 #endif
 
 layout(std430, binding = 0) readonly buffer Points { vec4 points[]; };

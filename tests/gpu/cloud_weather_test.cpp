@@ -1,7 +1,7 @@
 // Shelf: previous picture, drawn a moment ago. Weather maps at the ends of their sizes.
 #include "cloud_scenes.h"
 #include "drawing.h"
-#include "measure/image_error.h"
+#include "measure/metrics/image_error.h"
 
 namespace bruma::render {
 namespace {

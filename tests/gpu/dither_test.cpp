@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "drawing.h"
-#include "io/picture_file.h"
-#include "render/presenter.h"
+#include "io/picture/picture_file.h"
+#include "render/compose/presenter.h"
 
 namespace bruma::render {
 namespace {

@@ -6,9 +6,9 @@
 #include <cstring>
 #include <limits>
 
-#include "io/raw_volume.h"
+#include "io/volume/raw_volume.h"
 #include "offscreen.h"
-#include "reference/emission_absorption.h"
+#include "reference/volume/emission_absorption.h"
 
 namespace bruma::render {
 

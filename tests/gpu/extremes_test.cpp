@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "drawing.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 
 namespace bruma::render {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "io/open.h"
 #include "io_temporary_folder.h"
-#include "measure/image_error.h"
+#include "measure/metrics/image_error.h"
 #include "translucent.h"
 
 namespace bruma::render {

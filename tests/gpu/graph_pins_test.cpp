@@ -1,7 +1,7 @@
 // Shelf: closed form. Which passes a change of the scene reruns, and that nothing unneeded is made or compiled.
 #include "graph_test.h"
 #include "opaque_mesh.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 
 namespace bruma::render {
 namespace {

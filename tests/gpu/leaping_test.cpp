@@ -4,7 +4,7 @@
 #include <random>
 
 #include "drawing.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 
 namespace bruma::render {
 namespace {

@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "render/light_sweep.h"
+#include "render/light/light_sweep.h"
 
 /// Light grids of given extinction, swept and read back: what the tests of light share. Grids are centred on the
 /// origin.

@@ -1,7 +1,7 @@
 // Shelf: closed form. Edges of meshes: how much of a pixel they cover, and what lies before and behind that share.
 #include "kept_renderer.h"
 #include "opaque_mesh.h"
-#include "scene/mesh_builtin.h"
+#include "scene/builtin/mesh_builtin.h"
 
 namespace bruma::render {
 namespace {

@@ -1,7 +1,7 @@
 // Shelf: closed form. Materials of mesh files, as linear values in pictures.
 #include <cmath>
 
-#include "io/obj_mesh.h"
+#include "io/mesh/obj_mesh.h"
 #include "io_temporary_folder.h"
 #include "opaque_mesh.h"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "drawing.h"
-#include "scene/mesh.h"
+#include "scene/mesh/mesh.h"
 
 /// Meshes and scenes that the tests of opaque surfaces share.
 namespace bruma::render {

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "opaque_mesh.h"
-#include "scene/mesh_builtin.h"
+#include "scene/builtin/mesh_builtin.h"
 
 namespace bruma::render {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "graph_test.h"
 #include "path_tracing.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 
 namespace bruma::render {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "path_tracing.h"
-#include "reference/render_scattering.h"
-#include "scene/builtin.h"
+#include "reference/medium/render_scattering.h"
+#include "scene/builtin/builtin.h"
 
 namespace bruma::render {
 namespace {

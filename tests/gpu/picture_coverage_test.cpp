@@ -1,5 +1,5 @@
 // Shelf: closed form. Whether a picture shows anything of its nodes.
-#include "render/picture_coverage.h"
+#include "render/compose/picture_coverage.h"
 
 #include "opaque_mesh.h"
 

@@ -2,8 +2,8 @@
 #include "base/error.h"
 #include "drawing.h"
 #include "gl/memory.h"
-#include "measure/image_error.h"
-#include "scene/builtin.h"
+#include "measure/metrics/image_error.h"
+#include "scene/builtin/builtin.h"
 
 namespace bruma::render {
 namespace {

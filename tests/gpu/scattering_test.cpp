@@ -4,9 +4,9 @@
 
 #include "base/installation.h"
 #include "drawing.h"
-#include "measure/image_error.h"
-#include "reference/render_scattering.h"
-#include "scene/builtin.h"
+#include "measure/metrics/image_error.h"
+#include "reference/medium/render_scattering.h"
+#include "scene/builtin/builtin.h"
 
 namespace bruma::render {
 namespace {

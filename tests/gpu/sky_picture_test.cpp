@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "opaque_mesh.h"
-#include "reference/sky_preetham.h"
-#include "scene/sun_lamp.h"
+#include "reference/sky/sky_preetham.h"
+#include "scene/sky/sun_lamp.h"
 #include "sky_scenes.h"
 
 namespace bruma::render {

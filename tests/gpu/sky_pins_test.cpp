@@ -1,7 +1,7 @@
 // Shelf: closed form. Which passes of the sky a change reruns, and that scenes without one have none.
 #include "graph_test.h"
 #include "opaque_mesh.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 #include "sky_scenes.h"
 
 namespace bruma::render {

@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "drawing.h"
-#include "reference/sky_picture.h"
-#include "render/passes/sky_passes.h"
+#include "reference/sky/sky_picture.h"
+#include "render/sky/sky_passes.h"
 
 /// What the tests of the sky share: scenes with nothing but a sky, and the radiance that the reference sees there.
 namespace bruma::render {

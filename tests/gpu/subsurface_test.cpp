@@ -4,9 +4,9 @@
 
 #include "drawing.h"
 #include "gl/buffer.h"
-#include "reference/dipole.h"
 #include "reference/random.h"
-#include "render/subsurface_constants.h"
+#include "reference/subsurface/dipole.h"
+#include "render/subsurface/subsurface_constants.h"
 #include "subsurface_truth.h"
 
 namespace bruma::render {

@@ -1,6 +1,6 @@
 #version 450 core
-// Evaluates shaders/include/subsurface.glsl for configurations from a buffer, one per invocation.
-#include "include/subsurface.glsl"
+// Evaluates shaders/subsurface/subsurface.glsl for configurations from a buffer, one per invocation.
+#include "subsurface/subsurface.glsl"
 
 layout(local_size_x = 64) in;
 

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "drawing.h"
-#include "io/picture_file.h"
-#include "render/presenter.h"
+#include "io/picture/picture_file.h"
+#include "render/compose/presenter.h"
 #include "scene/tone_map.h"
 
 namespace bruma::render {

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "opaque_mesh.h"
-#include "scene/mesh_builtin.h"
+#include "scene/builtin/mesh_builtin.h"
 
 /// Scenes of translucent bodies that several tests share.
 namespace bruma::render {

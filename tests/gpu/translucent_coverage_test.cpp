@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "io/mesh_source.h"
+#include "io/mesh/mesh_source.h"
 #include "translucent.h"
 
 namespace bruma::render {

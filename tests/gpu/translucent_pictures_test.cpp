@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "io/mesh_source.h"
-#include "io/picture_file.h"
+#include "io/mesh/mesh_source.h"
+#include "io/picture/picture_file.h"
 #include "translucent.h"
 
 namespace bruma::render {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/subsurface_view.h"
+#include "reference/subsurface/subsurface_view.h"
 #include "translucent.h"
 
 /// Pictures of one translucent body by the passes and by quadrature in double precision, and how far they are apart.

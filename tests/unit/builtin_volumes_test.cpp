@@ -1,5 +1,5 @@
 // Shelf: closed forms.
-#include "scene/builtin_volumes.h"
+#include "scene/builtin/builtin_volumes.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 
 namespace bruma::scene {
 namespace {

@@ -1,12 +1,12 @@
 // Shelf: check values of the density, computed apart from this code; and identities of the field.
-#include "reference/cloud_field.h"
+#include "reference/clouds/cloud_field.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "base/integer_hash.h"
-#include "scene/cloud_presets.h"
+#include "scene/clouds/cloud_presets.h"
 
 namespace bruma::reference {
 namespace {

@@ -1,5 +1,5 @@
 // Shelf: closed form. Rays and layers of clouds against long double, and against sampled altitudes.
-#include "reference/cloud_intervals.h"
+#include "reference/clouds/cloud_intervals.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Shelf: closed form (phase functions integrate to 1, constant media) and check values computed apart from this code.
-#include "reference/cloud_lighting.h"
+#include "reference/clouds/cloud_lighting.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 
 #include "base/integer_hash.h"
 #include "cloud_scenes.h"
-#include "reference/cloud_monte_carlo.h"
-#include "reference/cloud_phase.h"
+#include "reference/clouds/cloud_monte_carlo.h"
+#include "reference/clouds/cloud_phase.h"
 
 namespace bruma::reference {
 namespace {

@@ -1,13 +1,13 @@
 // Shelf: closed form. The fine march against integrals that can be written down, and its error estimate against a finer
 // march.
-#include "reference/cloud_march.h"
+#include "reference/clouds/cloud_march.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "cloud_scenes.h"
-#include "reference/cloud_phase.h"
+#include "reference/clouds/cloud_phase.h"
 
 namespace bruma::reference {
 namespace {

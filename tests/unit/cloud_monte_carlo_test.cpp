@@ -1,6 +1,6 @@
 // Shelf: closed form, and the fine march where both compute the same: path tracing must agree within its own error
 // bars. Samples are fixed by their counters, so that a test that passes once passes always.
-#include "reference/cloud_monte_carlo.h"
+#include "reference/clouds/cloud_monte_carlo.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "cloud_scenes.h"
-#include "reference/cloud_phase.h"
+#include "reference/clouds/cloud_phase.h"
 
 namespace bruma::reference {
 namespace {

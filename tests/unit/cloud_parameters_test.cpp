@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "io/json_fields.h"
-#include "scene/cloud_presets.h"
-#include "scene/sky.h"
+#include "io/json/json_fields.h"
+#include "scene/clouds/cloud_presets.h"
+#include "scene/sky/sky.h"
 
 namespace bruma::scene {
 namespace {

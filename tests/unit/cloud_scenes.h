@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
 
-#include "reference/cloud_march.h"
-#include "scene/cloud_presets.h"
+#include "reference/clouds/cloud_march.h"
+#include "scene/clouds/cloud_presets.h"
 
 /// Small clouds for the tests of march and Monte Carlo.
 namespace bruma::reference {

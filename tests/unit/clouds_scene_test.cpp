@@ -1,5 +1,5 @@
 // Clouds as part of a scene: files, settings, presets by name, weather maps from pictures.
-#include "scene/clouds.h"
+#include "scene/clouds/clouds.h"
 
 #include <gtest/gtest.h>
 
@@ -8,14 +8,14 @@
 
 #include "base/error.h"
 #include "io/open.h"
-#include "io/scene_file.h"
-#include "io/scene_json.h"
-#include "io/scene_settings.h"
-#include "io/weather_file.h"
+#include "io/picture/weather_file.h"
+#include "io/scene/scene_file.h"
+#include "io/scene/scene_json.h"
+#include "io/scene/scene_settings.h"
 #include "io_temporary_folder.h"
-#include "reference/cloud_field.h"
-#include "render/cloud_cells.h"
-#include "scene/builtin.h"
+#include "reference/clouds/cloud_field.h"
+#include "render/clouds/cloud_cells.h"
+#include "scene/builtin/builtin.h"
 
 namespace bruma::io {
 namespace {

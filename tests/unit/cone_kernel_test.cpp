@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "render/cone_kernel.h"
+#include "render/light/cone_kernel.h"
 
 namespace bruma::render {
 namespace {

@@ -1,13 +1,13 @@
 // Shelf: closed form. Lamps that are far from what they light: as parallel light, and in the views that they have of
 // it.
-#include "render/far_lamps.h"
+#include "render/light/far_lamps.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "render/body_frame.h"
+#include "render/subsurface/body_frame.h"
 
 namespace bruma::render {
 namespace {

@@ -2,7 +2,7 @@
 #include <array>
 #include <string>
 
-#include "reference/subsurface_medium.h"
+#include "reference/subsurface/subsurface_medium.h"
 
 namespace bruma::reference {
 

@@ -1,5 +1,5 @@
 // Shelf: closed form. Measures of pictures whose difference is known beforehand.
-#include "measure/image_error.h"
+#include "measure/metrics/image_error.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "base/error.h"
-#include "measure/flip.h"
-#include "measure/flip_color.h"
-#include "measure/heatmap.h"
+#include "measure/metrics/flip.h"
+#include "measure/metrics/flip_color.h"
+#include "measure/metrics/heatmap.h"
 
 namespace bruma::measure {
 namespace {

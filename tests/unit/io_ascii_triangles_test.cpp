@@ -1,4 +1,4 @@
-#include "io/ascii_triangles.h"
+#include "io/mesh/ascii_triangles.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 #include <future>
 #include <nlohmann/json.hpp>
 
-#include "io/json_text.h"
-#include "io/picture_file.h"
+#include "io/json/json_text.h"
+#include "io/picture/picture_file.h"
 #include "io_temporary_folder.h"
 
 namespace bruma::io {

@@ -7,7 +7,7 @@
 
 #include "io/describe.h"
 #include "io/open.h"
-#include "io/raw_layout.h"
+#include "io/volume/raw_layout.h"
 #include "io_temporary_folder.h"
 
 namespace bruma::io {

@@ -1,13 +1,13 @@
-#include "io/json_text.h"
+#include "io/json/json_text.h"
 
 #include <gtest/gtest.h>
 
 #include "io/open.h"
-#include "io/raw_sidecar.h"
-#include "io/scene_file.h"
-#include "io/scene_json.h"
-#include "io/scene_settings.h"
-#include "io/transfer_function_file.h"
+#include "io/scene/scene_file.h"
+#include "io/scene/scene_json.h"
+#include "io/scene/scene_settings.h"
+#include "io/scene/transfer_function_file.h"
+#include "io/volume/raw_sidecar.h"
 #include "io_temporary_folder.h"
 
 namespace bruma::io {

@@ -1,12 +1,12 @@
-#include "io/known_volumes.h"
+#include "io/volume/known_volumes.h"
 
 #include <gtest/gtest.h>
 
 #include <cctype>
 #include <set>
 
-#include "io/raw_layout.h"
-#include "io/raw_name.h"
+#include "io/volume/raw_layout.h"
+#include "io/volume/raw_name.h"
 #include "io_temporary_folder.h"
 #include "scene/scene.h"
 

@@ -3,13 +3,13 @@
 #include <cmath>
 
 #include "io/describe.h"
-#include "io/mesh_source.h"
-#include "io/off_mesh.h"
+#include "io/mesh/mesh_source.h"
+#include "io/mesh/off_mesh.h"
 #include "io/open.h"
-#include "io/scene_file.h"
-#include "io/scene_json.h"
+#include "io/scene/scene_file.h"
+#include "io/scene/scene_json.h"
 #include "io_temporary_folder.h"
-#include "scene/mesh_builtin.h"
+#include "scene/builtin/mesh_builtin.h"
 
 namespace bruma::io {
 namespace {

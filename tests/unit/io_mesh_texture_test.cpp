@@ -1,10 +1,10 @@
-#include "io/mesh_texture.h"
+#include "io/mesh/mesh_texture.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "io/obj_mesh.h"
+#include "io/mesh/obj_mesh.h"
 #include "io_temporary_folder.h"
 
 namespace bruma::io {

@@ -1,7 +1,7 @@
 // Shelf: closed form. Statements of material libraries, as the published format defines them.
 #include <gtest/gtest.h>
 
-#include "io/mtl_material.h"
+#include "io/mesh/mtl_material.h"
 #include "io_temporary_folder.h"
 
 namespace bruma::io {

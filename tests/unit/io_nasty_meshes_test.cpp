@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/mesh_source.h"
+#include "io/mesh/mesh_source.h"
 #include "io_temporary_folder.h"
 
 namespace bruma::io {

@@ -1,11 +1,11 @@
 // Shelf: closed form. What an OBJ file and its libraries name is found, and what they tell in vain is said.
-#include "io/obj_materials.h"
+#include "io/mesh/obj_materials.h"
 
 #include <gtest/gtest.h>
 
 #include <fmt/core.h>
 
-#include "io/obj_mesh.h"
+#include "io/mesh/obj_mesh.h"
 #include "io_temporary_folder.h"
 
 namespace bruma::io {

@@ -1,4 +1,4 @@
-#include "io/obj_mesh.h"
+#include "io/mesh/obj_mesh.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>

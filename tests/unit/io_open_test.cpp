@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "io/describe.h"
-#include "io/scene_file.h"
-#include "io/scene_json.h"
+#include "io/scene/scene_file.h"
+#include "io/scene/scene_json.h"
 #include "io_temporary_folder.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 
 namespace bruma::io {
 namespace {

@@ -4,11 +4,11 @@
 
 #include "io/atomic_file.h"
 #include "io/input_file.h"
-#include "io/picture_file.h"
-#include "io/scene_file.h"
-#include "io/transfer_function_file.h"
+#include "io/picture/picture_file.h"
+#include "io/scene/scene_file.h"
+#include "io/scene/transfer_function_file.h"
 #include "io_temporary_folder.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 
 namespace bruma::io {
 namespace {

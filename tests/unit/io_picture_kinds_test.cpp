@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/mesh_texture.h"
-#include "io/picture_file.h"
-#include "io/weather_file.h"
+#include "io/mesh/mesh_texture.h"
+#include "io/picture/picture_file.h"
+#include "io/picture/weather_file.h"
 #include "io_picture_samples.h"
 #include "io_temporary_folder.h"
 

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "io/atomic_file.h"
-#include "io/picture_file.h"
+#include "io/picture/picture_file.h"
 #include "io_temporary_folder.h"
 
 namespace bruma::io {

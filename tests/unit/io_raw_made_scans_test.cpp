@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "io/raw_proposals.h"
+#include "io/volume/raw_proposals.h"
 #include "io_temporary_folder.h"
 
 /// Whether the layouts of headerless files are found again. The files are made here after what scanners, microscopes

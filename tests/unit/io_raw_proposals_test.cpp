@@ -1,4 +1,4 @@
-#include "io/raw_proposals.h"
+#include "io/volume/raw_proposals.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cstring>
 #include <set>
 
-#include "io/raw_name.h"
+#include "io/volume/raw_name.h"
 #include "io_temporary_folder.h"
 
 namespace bruma::io {

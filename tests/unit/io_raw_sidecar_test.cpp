@@ -1,11 +1,11 @@
-#include "io/raw_sidecar.h"
+#include "io/volume/raw_sidecar.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "base/log.h"
-#include "io/raw_layout.h"
+#include "io/volume/raw_layout.h"
 #include "io_temporary_folder.h"
 
 namespace bruma::io {

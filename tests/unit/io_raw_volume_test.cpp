@@ -1,4 +1,4 @@
-#include "io/raw_volume.h"
+#include "io/volume/raw_volume.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "io/describe.h"
-#include "io/raw_name.h"
+#include "io/volume/raw_name.h"
 #include "io_temporary_folder.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 
 namespace bruma::io {
 namespace {

@@ -1,12 +1,12 @@
-#include "io/scene_json.h"
+#include "io/scene/scene_json.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "io/json_text.h"
-#include "io/scene_settings.h"
-#include "io/transfer_function_file.h"
+#include "io/json/json_text.h"
+#include "io/scene/scene_settings.h"
+#include "io/scene/transfer_function_file.h"
 #include "io_temporary_folder.h"
 
 namespace bruma::io {

@@ -5,11 +5,11 @@
 
 #include "base/installation.h"
 #include "io/input_file.h"
-#include "io/json_text.h"
-#include "io/known_volumes.h"
+#include "io/json/json_text.h"
 #include "io/open.h"
-#include "io/scene_file.h"
-#include "io/transfer_function_file.h"
+#include "io/scene/scene_file.h"
+#include "io/scene/transfer_function_file.h"
+#include "io/volume/known_volumes.h"
 #include "io_temporary_folder.h"
 
 namespace bruma::io {

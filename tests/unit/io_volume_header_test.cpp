@@ -1,11 +1,11 @@
-#include "io/volume_header.h"
+#include "io/volume/volume_header.h"
 
 #include <gtest/gtest.h>
 
 #include "io/describe.h"
 #include "io/open.h"
-#include "io/raw_layout.h"
-#include "io/raw_volume.h"
+#include "io/volume/raw_layout.h"
+#include "io/volume/raw_volume.h"
 #include "io_temporary_folder.h"
 
 namespace bruma::io {

@@ -1,5 +1,5 @@
 // Shelf: closed form, by brute force: many samples in each cell that is called empty, and all pairs of cells.
-#include "render/macrocells.h"
+#include "render/volume/macrocells.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Shelf: closed form. Bounds of the extinction hold at every point of the medium, and are reached.
-#include "render/majorants.h"
+#include "render/volume/majorants.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "reference_scenes.h"
-#include "render/scattering_tables.h"
+#include "render/volume/scattering_tables.h"
 
 namespace bruma::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/material.h"
+#include "scene/subsurface/material.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Shelf: closed form. How volumes are made to fit, of budgets that are counted by hand.
-#include "render/memory_plan.h"
+#include "render/volume/memory_plan.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "reference_scenes.h"
-#include "scene/thinned_grid.h"
+#include "scene/volume/thinned_grid.h"
 
 namespace bruma::render {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "base/log.h"
 #include "io/describe.h"
-#include "io/mesh_source.h"
+#include "io/mesh/mesh_source.h"
 #include "io/open.h"
-#include "io/scene_file.h"
+#include "io/scene/scene_file.h"
 #include "io_temporary_folder.h"
 
 namespace bruma::io {

@@ -1,11 +1,11 @@
-#include "scene/mesh_normals.h"
+#include "scene/mesh/mesh_normals.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "scene/mesh_builtin.h"
+#include "scene/builtin/mesh_builtin.h"
 
 namespace bruma::scene {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/mesh_polygon.h"
+#include "scene/mesh/mesh_polygon.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "scene/mesh_report.h"
+#include "scene/mesh/mesh_report.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 
-#include "scene/mesh_parts.h"
-#include "scene/mesh_unit.h"
-#include "scene/mesh_weld.h"
+#include "scene/mesh/mesh_parts.h"
+#include "scene/mesh/mesh_unit.h"
+#include "scene/mesh/mesh_weld.h"
 
 namespace bruma::scene {
 namespace {

@@ -1,6 +1,6 @@
 // Shelf: check values, computed once in double from the definitions (Jarzynski and Olano 2020; Perlin 2002; Worley
 // 1996) apart from this code, to as many digits as stand here.
-#include "reference/noise.h"
+#include "reference/clouds/noise.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "base/integer_hash.h"
-#include "reference/cloud_field.h"
+#include "reference/clouds/cloud_field.h"
 
 namespace bruma::reference {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/delta_tracking.h"
-#include "reference/transmittance.h"
+#include "reference/medium/delta_tracking.h"
+#include "reference/volume/transmittance.h"
 #include "reference_scenes.h"
 
 namespace bruma::reference {

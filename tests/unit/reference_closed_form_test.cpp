@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "base/error.h"
-#include "reference/emission_absorption.h"
+#include "reference/volume/emission_absorption.h"
 #include "reference_scenes.h"
 
 namespace bruma::reference {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "reference/dipole.h"
+#include "reference/subsurface/dipole.h"
 #include "subsurface_truth.h"
 
 namespace bruma::reference {

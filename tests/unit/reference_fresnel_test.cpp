@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "reference/fresnel.h"
+#include "reference/subsurface/fresnel.h"
 
 namespace bruma::reference {
 namespace {

@@ -1,7 +1,7 @@
 // Shelf: the reference against itself, where physics says that two scenes look the same, and against its own error.
 #include <gtest/gtest.h>
 
-#include "reference/emission_absorption.h"
+#include "reference/volume/emission_absorption.h"
 #include "reference_scenes.h"
 
 namespace bruma::reference {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "reference/ray_mesh.h"
+#include "reference/subsurface/ray_mesh.h"
 
 /// Meshes for tests of the reference.
 namespace bruma::reference {

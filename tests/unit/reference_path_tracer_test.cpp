@@ -5,8 +5,8 @@
 #include <tbb/global_control.h>
 
 #include "base/error.h"
-#include "reference/path_tracer.h"
-#include "reference/single_scattering.h"
+#include "reference/medium/path_tracer.h"
+#include "reference/medium/single_scattering.h"
 #include "reference_scattering_scenes.h"
 
 namespace bruma::reference {

@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "reference/random.h"
-#include "reference/ray_mesh.h"
+#include "reference/subsurface/ray_mesh.h"
 #include "subsurface_truth.h"
 
 namespace bruma::reference {

@@ -1,5 +1,5 @@
 #pragma once
-#include "reference/render_scattering.h"
+#include "reference/medium/render_scattering.h"
 #include "reference_scenes.h"
 
 /// Small scattering scenes for the tests of the reference renderer.

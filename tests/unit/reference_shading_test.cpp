@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "reference/emission_absorption.h"
+#include "reference/volume/emission_absorption.h"
 #include "reference_scenes.h"
 
 namespace bruma::reference {

@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "reference/medium/single_scattering.h"
 #include "reference/phase_function.h"
-#include "reference/single_scattering.h"
-#include "reference/transmittance.h"
+#include "reference/volume/transmittance.h"
 #include "reference_scattering_scenes.h"
 
 namespace bruma::reference {

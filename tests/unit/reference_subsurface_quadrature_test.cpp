@@ -1,7 +1,7 @@
 // Shelf: closed form and independent programs. The BSSRDF integrated over meshes.
 #include <gtest/gtest.h>
 
-#include "reference/subsurface_quadrature.h"
+#include "reference/subsurface/subsurface_quadrature.h"
 #include "subsurface_truth.h"
 
 namespace bruma::reference {

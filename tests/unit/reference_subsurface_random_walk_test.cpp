@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "reference/subsurface_random_walk.h"
+#include "reference/subsurface/subsurface_random_walk.h"
 #include "subsurface_truth.h"
 
 namespace bruma::reference {

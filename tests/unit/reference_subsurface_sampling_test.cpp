@@ -6,8 +6,8 @@
 #include <cstdio>
 
 #include "reference/random.h"
-#include "reference/subsurface_noise.h"
-#include "reference/subsurface_sampling.h"
+#include "reference/subsurface/subsurface_noise.h"
+#include "reference/subsurface/subsurface_sampling.h"
 #include "subsurface_truth.h"
 
 namespace bruma::reference {

@@ -3,7 +3,7 @@
 #include <tbb/task_arena.h>
 
 #include "base/error.h"
-#include "reference/subsurface_view.h"
+#include "reference/subsurface/subsurface_view.h"
 #include "subsurface_truth.h"
 
 namespace bruma::reference {

@@ -1,5 +1,5 @@
 // Shelf: closed form. Ranks, fills, outliers and windows of arrays whose answers are counted by hand.
-#include "scene/robust_window.h"
+#include "scene/volume/robust_window.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cstring>
 #include <limits>
 
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 
 namespace bruma::scene {
 namespace {

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "io/scene_json.h"
+#include "io/scene/scene_json.h"
 #include "io_temporary_folder.h"
-#include "scene/mesh_builtin.h"
+#include "scene/builtin/mesh_builtin.h"
 #include "scene/scene.h"
 
 namespace bruma::scene {

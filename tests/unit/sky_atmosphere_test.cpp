@@ -1,5 +1,5 @@
 // Shelf: closed forms, and check values of the converged integrals computed apart from this code.
-#include "reference/sky_atmosphere.h"
+#include "reference/sky/sky_atmosphere.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <functional>
 #include <numbers>
 
-#include "reference/sky_light.h"
-#include "reference/sky_tables.h"
+#include "reference/sky/sky_light.h"
+#include "reference/sky/sky_tables.h"
 
 namespace bruma::reference {
 namespace {

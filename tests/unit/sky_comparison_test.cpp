@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "base/error.h"
-#include "reference/sky_look.h"
-#include "reference/sky_preetham.h"
-#include "scene/sky.h"
+#include "reference/sky/sky_look.h"
+#include "reference/sky/sky_preetham.h"
+#include "scene/sky/sky.h"
 
 namespace bruma::reference {
 namespace {

@@ -1,12 +1,12 @@
 // Shelf: published measurements of clear skies, closed forms, and one model against another: all skies in one unit.
-#include "reference/sky_models.h"
+#include "reference/sky/sky_models.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "reference/sky_picture.h"
+#include "reference/sky/sky_picture.h"
 
 namespace bruma::reference {
 namespace {

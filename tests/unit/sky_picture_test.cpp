@@ -1,5 +1,5 @@
 // Shelf: closed forms, and the same path told from elsewhere.
-#include "reference/sky_picture.h"
+#include "reference/sky/sky_picture.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "measure/bench_clouds.h"
+#include "measure/bench/clouds/bench_clouds.h"
 
 namespace bruma::measure {
 namespace {

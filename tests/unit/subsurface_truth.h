@@ -5,8 +5,8 @@
 #include <string>
 
 #include "half_space_truth.h"
-#include "reference/dipole.h"
 #include "reference/plane_integral.h"
+#include "reference/subsurface/dipole.h"
 #include "reference_meshes.h"
 
 /// Materials and shapes for tests of subsurface scattering, with values from a program that shares no code with ours.

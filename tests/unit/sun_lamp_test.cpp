@@ -1,12 +1,12 @@
 // Shelf: check values of the converged integral, and the tables of the reference, which know nothing of the lamp.
-#include "scene/sun_lamp.h"
+#include "scene/sky/sun_lamp.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "reference/sky_tables.h"
+#include "reference/sky/sky_tables.h"
 
 namespace bruma::scene {
 namespace {

@@ -1,5 +1,5 @@
 // Shelf: closed form, and the direct product in double precision, O(n) for each of n^2 entries.
-#include "render/transfer_tables.h"
+#include "render/volume/transfer_tables.h"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "app/panels/fields_panel.h"
-#include "app/panels/opacity_scale.h"
+#include "app/panels/volume/opacity_scale.h"
 #include "app/viewer/edit_history.h"
-#include "io/picture_file.h"
+#include "io/picture/picture_file.h"
 
 namespace bruma::app {
 namespace {

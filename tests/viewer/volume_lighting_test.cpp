@@ -1,12 +1,12 @@
 // Closed form: which fields each lighting shows, what it says it leaves out, lights that keep their effect.
-#include "app/panels/volume_lighting.h"
+#include "app/panels/volume/volume_lighting.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "app/panels/statistics_panel.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 
 namespace bruma::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "app/panels/number_boxes.h"
-#include "io/picture_file.h"
+#include "io/picture/picture_file.h"
 
 namespace bruma::app {
 namespace {

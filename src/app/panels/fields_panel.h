@@ -10,7 +10,7 @@
 
 #include "base/revision.h"
 #include "scene/field.h"
-#include "scene/transfer_function.h"
+#include "scene/volume/transfer_function.h"
 
 /// Widgets for any struct of the table of parameters (scene/field.h): its name, unit, range and sentence say all that
 /// is needed. Lengths in metres are shown in millimetres, and colours, which are stored linear, by their sRGB values.

@@ -4,7 +4,7 @@
 
 #include "app/panels/widget_places.h"
 #include "context/context.h"
-#include "io/transfer_function_file.h"
+#include "io/scene/transfer_function_file.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
 

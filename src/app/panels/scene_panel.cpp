@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "app/panels/clouds_panel.h"
+#include "app/panels/clouds/clouds_panel.h"
 #include "app/panels/fields_panel.h"
-#include "app/panels/mesh_inside.h"
+#include "app/panels/mesh/mesh_inside.h"
 #include "app/panels/theme.h"
-#include "app/panels/volume_lighting.h"
+#include "app/panels/volume/volume_lighting.h"
 #include "base/error.h"
 
 namespace bruma::app {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/panels/clouds_panel.h"
+#include "app/panels/clouds/clouds_panel.h"
 #include "app/panels/fields_panel.h"
 #include "app/panels/scene_panel.h"
 #include "app/panels/statistics_panel.h"

@@ -1,6 +1,6 @@
 #pragma once
 #include "app/panels/panel_context.h"
-#include "app/panels/transfer_function_panel.h"
+#include "app/panels/volume/transfer_function_panel.h"
 
 namespace bruma::app {
 

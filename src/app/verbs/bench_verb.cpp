@@ -10,15 +10,15 @@
 #include "base/console.h"
 #include "base/error.h"
 #include "io/atomic_file.h"
-#include "io/json_text.h"
+#include "io/json/json_text.h"
 #include "io/open.h"
-#include "io/picture_file.h"
-#include "measure/bench_clouds.h"
-#include "measure/bench_findings.h"
-#include "measure/bench_frames.h"
-#include "measure/bench_light_report.h"
-#include "measure/bench_mesh_report.h"
-#include "measure/bench_report.h"
+#include "io/picture/picture_file.h"
+#include "measure/bench/bench_frames.h"
+#include "measure/bench/clouds/bench_clouds.h"
+#include "measure/bench/light/bench_light_report.h"
+#include "measure/bench/mesh/bench_mesh_report.h"
+#include "measure/bench/volume/bench_findings.h"
+#include "measure/bench/volume/bench_report.h"
 
 namespace bruma::app {
 namespace {

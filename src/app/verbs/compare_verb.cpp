@@ -12,10 +12,10 @@
 #include "base/console.h"
 #include "base/error.h"
 #include "base/log.h"
-#include "io/picture_file.h"
-#include "measure/flip.h"
-#include "measure/heatmap.h"
-#include "measure/image_error.h"
+#include "io/picture/picture_file.h"
+#include "measure/metrics/flip.h"
+#include "measure/metrics/heatmap.h"
+#include "measure/metrics/image_error.h"
 #include "scene/tone_map.h"
 
 namespace bruma::app {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "app/scene_arguments.h"
-#include "io/picture_file.h"
-#include "render/presenter.h"
+#include "io/picture/picture_file.h"
+#include "render/compose/presenter.h"
 #include "render/renderer.h"
 
 namespace bruma::app {

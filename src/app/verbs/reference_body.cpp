@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
-#include "measure/mesh_truth.h"
+#include "measure/bench/mesh/mesh_truth.h"
 #include "reference/pixel_loop.h"
 
 namespace bruma::app {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/image.h"
-#include "reference/subsurface_view.h"
+#include "reference/subsurface/subsurface_view.h"
 #include "scene/scene.h"
 
 namespace bruma::app {

@@ -1,4 +1,4 @@
-#include "reference/emission_absorption.h"
+#include "reference/volume/emission_absorption.h"
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -15,11 +15,11 @@
 #include "base/console.h"
 #include "base/error.h"
 #include "base/log.h"
-#include "io/picture_file.h"
-#include "reference/render_clouds.h"
-#include "reference/render_scattering.h"
-#include "reference/sky_picture.h"
-#include "scene/sun_lamp.h"
+#include "io/picture/picture_file.h"
+#include "reference/clouds/render_clouds.h"
+#include "reference/medium/render_scattering.h"
+#include "reference/sky/sky_picture.h"
+#include "scene/sky/sun_lamp.h"
 
 namespace bruma::app {
 namespace {

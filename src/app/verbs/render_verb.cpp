@@ -18,11 +18,11 @@
 #include "base/installation.h"
 #include "base/log.h"
 #include "io/atomic_file.h"
-#include "io/json_text.h"
-#include "io/picture_file.h"
-#include "io/raw_volume.h"
-#include "render/passes/path_trace_pass.h"
-#include "render/presenter.h"
+#include "io/json/json_text.h"
+#include "io/picture/picture_file.h"
+#include "io/volume/raw_volume.h"
+#include "render/compose/presenter.h"
+#include "render/paths/path_trace_pass.h"
 
 namespace bruma::app {
 namespace {

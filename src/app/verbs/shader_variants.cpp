@@ -138,36 +138,36 @@ Variants light_rays_variants() {
 std::vector<gl::Defines> shader_variants(const std::string& file) {
     using Make = Variants (*)();
     static const std::map<std::string, Make> files{
-        {"background.frag", background_variants},
-        {"cloud_columns.comp", [] { return each_or_none(cloud_field); }},
-        {"cloud_march.frag", cloud_march_variants},
-        {"cloud_noise.comp",
+        {"compose/background.frag", background_variants},
+        {"clouds/cloud_columns.comp", [] { return each_or_none(cloud_field); }},
+        {"clouds/cloud_march.frag", cloud_march_variants},
+        {"clouds/cloud_noise.comp",
          [] {
              return Variants{{{"TEXEL_FORMAT", "rgba16"}}, {{"TEXEL_FORMAT", "r16"}, {"PACKED", ""}}};
          }},
-        {"cloud_shafts.comp", [] { return shadows_of_clouds; }},
-        {"cloud_sun.comp", [] { return each_or_none(cloud_field); }},
-        {"light_combine.comp", light_combine_variants},
-        {"light_medium.comp", [] { return with_and_without({"ALBEDO"}) * with_and_without({"HOLES"}); }},
-        {"light_rays.comp", light_rays_variants},
-        {"light_sweep.comp", light_sweep_variants},
-        {"mesh.frag", mesh_variants},
-        {"mesh.vert",
+        {"clouds/cloud_shafts.comp", [] { return shadows_of_clouds; }},
+        {"clouds/cloud_sun.comp", [] { return each_or_none(cloud_field); }},
+        {"light/light_combine.comp", light_combine_variants},
+        {"light/light_medium.comp", [] { return with_and_without({"ALBEDO"}) * with_and_without({"HOLES"}); }},
+        {"light/light_rays.comp", light_rays_variants},
+        {"light/light_sweep.comp", light_sweep_variants},
+        {"mesh/mesh.frag", mesh_variants},
+        {"mesh/mesh.vert",
          [] {
              return each_or_none({"SHADOWS", "TRANSLUCENT", "VERTEX_COLORS"});
          }},
-        {"path_trace.comp", path_trace_variants},
-        {"radiosity.comp",
+        {"paths/path_trace.comp", path_trace_variants},
+        {"subsurface/radiosity.comp",
          [] {
              return Variants{{}, {{"CUBE_LAMPS", ""}}, {{"STANDARD_DIPOLE", ""}}, {{"EXPONENTIAL_DISK", ""}}};
          }},
-        {"sky.frag", sky_variants},
-        {"sky_irradiance.comp", sky_models},
-        {"surface_layers.frag",
+        {"sky/sky.frag", sky_variants},
+        {"sky/sky_irradiance.comp", sky_models},
+        {"surfaces/surface_layers.frag",
          [] {
              return Variants{{{"SAMPLES", "4"}}};
          }},
-        {"volume_march.frag", march_variants},
+        {"march/volume_march.frag", march_variants},
     };
     const auto found = files.find(file);
     return found == files.end() ? Variants{{}} : found->second();

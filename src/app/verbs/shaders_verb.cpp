@@ -10,6 +10,7 @@
 #include <regex>
 #include <set>
 #include <stdexcept>
+#include <vector>
 
 #include "app/scene_arguments.h"
 #include "app/verbs/shader_variants.h"
@@ -63,14 +64,23 @@ std::string contents(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// Every file that is a stage by itself, below the folder of shaders, as the library of shaders names it.
+std::vector<std::filesystem::path> stages(const std::filesystem::path& root) {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
+        if (entry.is_regular_file() && entry.path().extension() != ".glsl") {
+            files.push_back(std::filesystem::relative(entry.path(), root));
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
 /// Calls `act` with the file and the switches of every variant of every shader.
 void for_all(const std::function<void(const std::string&, const gl::Defines&)>& act) {
-    for (const auto& entry : std::filesystem::directory_iterator(installed_folder("shaders"))) {
-        if (entry.is_regular_file()) {
-            const std::string file = entry.path().filename().string();
-            for (const gl::Defines& defines : shader_variants(file)) {
-                act(file, defines);
-            }
+    for (const std::filesystem::path& file : stages(installed_folder("shaders"))) {
+        for (const gl::Defines& defines : shader_variants(file.string())) {
+            act(file.string(), defines);
         }
     }
 }
@@ -112,16 +122,12 @@ int expand(const std::string& folder, bool force) {
     io::require_writable_folder(folder);
     std::vector<ExpandedShader> expanded;
     std::set<std::string> asked_anywhere, defined_anywhere;
-    for (const auto& entry : std::filesystem::directory_iterator(root)) {
-        if (!entry.is_regular_file()) {
-            continue;
-        }
-        const std::string file = entry.path().filename().string();
+    for (const std::filesystem::path& path : stages(root)) {
+        const std::string file = path.string();
         int number = 0;
         std::set<std::string> defined_here;
         for (const gl::Defines& defines : shader_variants(file)) {
-            const std::string name =
-                fmt::format("{}_{}{}", entry.path().stem().string(), number++, entry.path().extension().string());
+            const std::string name = fmt::format("{}_{}{}", path.stem().string(), number++, path.extension().string());
             const gl::ShaderSource source = gl::read_shader(root, file, defines);
             std::for_each(source.files.begin(), source.files.end(), io::announce_input);
             asked_anywhere.merge(asked(source.text));
@@ -129,7 +135,7 @@ int expand(const std::string& folder, bool force) {
             expanded.push_back({std::filesystem::path(folder) / name, source.text});
         }
         // What it includes may have parts for others.
-        require_all(file, asked(contents(entry.path())), defined_here);
+        require_all(file, asked(contents(root / path)), defined_here);
         defined_anywhere.merge(defined_here);
     }
     require_all(root.string(), asked_anywhere, defined_anywhere);

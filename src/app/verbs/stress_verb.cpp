@@ -9,7 +9,7 @@
 #include "app/verbs/verbs.h"
 #include "base/console.h"
 #include "base/error.h"
-#include "measure/stress.h"
+#include "measure/stress/stress.h"
 
 namespace bruma::app {
 namespace {

@@ -8,11 +8,11 @@
 
 #include "app/scene_arguments.h"
 #include "base/error.h"
-#include "io/grid_source.h"
-#include "io/mesh_source.h"
+#include "io/mesh/mesh_source.h"
 #include "io/open.h"
-#include "io/raw_layout.h"
-#include "scene/builtin.h"
+#include "io/volume/grid_source.h"
+#include "io/volume/raw_layout.h"
+#include "scene/builtin/builtin.h"
 
 namespace bruma::app {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "io/progress.h"
-#include "io/raw_proposals.h"
+#include "io/volume/raw_proposals.h"
 #include "scene/scene.h"
 
 namespace bruma::app {

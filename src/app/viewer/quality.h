@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <glm/glm.hpp>
 
-#include "render/passes/march_pass.h"
+#include "render/march/march_pass.h"
 
 namespace bruma::app {
 

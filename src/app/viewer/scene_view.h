@@ -6,9 +6,9 @@
 
 #include "app/viewer/quality.h"
 #include "app/viewer/scene_stamp.h"
-#include "io/picture_file.h"
-#include "render/picture_coverage.h"
-#include "render/presenter.h"
+#include "io/picture/picture_file.h"
+#include "render/compose/picture_coverage.h"
+#include "render/compose/presenter.h"
 #include "render/renderer.h"
 
 namespace bruma::app {

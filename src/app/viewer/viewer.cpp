@@ -16,7 +16,7 @@
 #include "base/error.h"
 #include "base/installation.h"
 #include "context/window.h"
-#include "io/picture_file.h"
+#include "io/picture/picture_file.h"
 
 namespace bruma::app {
 namespace {

@@ -13,7 +13,7 @@
 #include "app/scene_arguments.h"
 #include "base/error.h"
 #include "base/log.h"
-#include "io/weather_file.h"
+#include "io/picture/weather_file.h"
 
 namespace bruma::app {
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "app/panels/dialogs.h"
-#include "app/panels/layout_dialog.h"
 #include "app/panels/panel_context.h"
-#include "app/panels/transfer_function_panel.h"
+#include "app/panels/volume/layout_dialog.h"
+#include "app/panels/volume/transfer_function_panel.h"
 #include "app/program.h"
 #include "app/viewer/background_loader.h"
 #include "app/viewer/edit_history.h"

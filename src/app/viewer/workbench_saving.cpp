@@ -8,8 +8,8 @@
 #include "app/viewer/typed_path.h"
 #include "app/viewer/workbench.h"
 #include "base/error.h"
-#include "io/picture_file.h"
-#include "io/scene_file.h"
+#include "io/picture/picture_file.h"
+#include "io/scene/scene_file.h"
 
 // Files out, and what becomes of edits.
 namespace bruma::app {

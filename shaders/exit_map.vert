@@ -1,2 +1,0 @@
-#version 450 core
-#include "include/body_vertex.glsl"
