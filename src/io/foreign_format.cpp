@@ -190,8 +190,8 @@ bool is_binary_stl(std::string_view bytes, std::int64_t length) {
         return false;
     }
     std::int64_t triangles = 0;
-    for (int n = 3; n >= 0; --n) {
-        triangles = triangles * 256 + static_cast<unsigned char>(bytes[std::size_t(80 + n)]);
+    for (std::size_t n = 84; n-- > 80;) {
+        triangles = triangles * 256 + static_cast<unsigned char>(bytes[n]);
     }
     return triangles > 0 && length == 84 + 50 * triangles;
 }

@@ -101,10 +101,10 @@ std::vector<std::filesystem::path> files_read() {
 
 void announce_input(const std::filesystem::path& path) {
     std::error_code error;
-    std::filesystem::path absolute = std::filesystem::absolute(path, error);
+    const std::filesystem::path absolute = std::filesystem::absolute(path, error);
     ReadFiles& files = read_files();
     const std::lock_guard lock(files.mutex);
-    files.paths.insert(error ? path : std::move(absolute));
+    files.paths.insert(error ? path : absolute);
 }
 
 }  // namespace bruma::io

@@ -210,9 +210,9 @@ int bench_frames(const BenchArguments& arguments, const std::vector<std::string>
                                               arguments.passes};
     nlohmann::json results = nlohmann::json::array();
     for (const std::string& file : arguments.scene.files) {
-        scene::Scene scene = open_one(arguments, file);
+        const scene::Scene scene = open_one(arguments, file);
         outputs.check();
-        const measure::FramesBench bench = measure::run_frames_bench(scene_name(file), std::move(scene), options);
+        const measure::FramesBench bench = measure::run_frames_bench(scene_name(file), scene, options);
         results.push_back(measure::to_json(bench));
         answer("{}\n", io::report_text(results.back(), -1));
         if (!arguments.picture.empty()) {

@@ -14,7 +14,8 @@ void unpack_runs(std::string_view packed, std::span<std::byte> into) {
     ByteReader reader(packed);
     std::size_t at = 0;
     while (at < into.size()) {
-        const int told = std::int8_t(reader.u8());
+        const int byte = reader.u8();
+        const int told = byte < 128 ? byte : byte - 256;
         const std::size_t count = told < 0 ? std::size_t(-told) : std::size_t(told) + 1;
         if (count > into.size() - at) {
             throw BrokenPicture{"a run leaves its chunk"};

@@ -28,7 +28,9 @@ void require_of_library(bool holds) {
 // The decoders are compiled here rather than linked: without the sorts of pictures that are read by this folder's own
 // code, with faults that can be caught, and with whatever a debug build checks.
 #define STB_IMAGE_STATIC
+#ifndef __clang_analyzer__  // it looks for faults in what is not ours
 #define STB_IMAGE_IMPLEMENTATION
+#endif
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
 #define STBI_NO_STDIO

@@ -104,6 +104,7 @@ std::vector<bool> telling(const std::vector<std::string>& words) {
         return voxel_type_of_word(word).has_value() && !is_plain(word);
     });
     std::vector<bool> result;
+    result.reserve(words.size());
     for (const std::string& word : words) {
         result.push_back(!exact || !is_plain(word));
     }

@@ -179,6 +179,7 @@ std::vector<RawProposal> propose_layouts(const std::filesystem::path& path, cons
     }
     sort_out(drafts, std::size_t(std::max(0, most)));
     std::vector<RawProposal> proposals;
+    proposals.reserve(drafts.size());
     for (Draft& draft : drafts) {
         proposals.push_back(std::move(draft.proposal));
     }
