@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/nearest_name.h"
-#include "io/mesh/added_mesh.h"
+#include "io/added_mesh.h"
 #include "io/mesh/mesh_source.h"
 #include "io/picture/weather_file.h"
 #include "io/scene/scene_file.h"

@@ -11,7 +11,8 @@
 #include "render/paths/path_trace_pass.h"
 #include "render/sky/sky_passes.h"
 #include "render/surfaces/map_reads_pass.h"
-#include "render/volume/volume_needs.h"
+#include "render/surfaces/opaque_pass.h"
+#include "render/volume_needs.h"
 #include "scene/scene.h"
 
 namespace bruma::render {

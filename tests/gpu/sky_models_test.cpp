@@ -4,7 +4,7 @@
 
 #include "cloud_scenes.h"
 #include "kept_renderer.h"
-#include "reference/sky/sky_light.h"
+#include "reference/clouds/light_of_sky.h"
 #include "sky_scenes.h"
 
 namespace bruma::render {

@@ -1,7 +1,7 @@
 // Shelf: independent reference. The tables of the sky made by the GPU against the same quantities in double precision.
 #include <cmath>
 
-#include "reference/sky/sky_light.h"
+#include "reference/clouds/light_of_sky.h"
 #include "sky_scenes.h"
 
 namespace bruma::render {

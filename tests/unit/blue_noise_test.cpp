@@ -1,5 +1,5 @@
 // Shelf: closed form. What makes a tile blue noise: every rank once, and hardly any slow variation.
-#include "render/compose/blue_noise.h"
+#include "render/blue_noise.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-#include "reference/sky/sky_light.h"
+#include "reference/clouds/light_of_sky.h"
 #include "reference/sky/sky_tables.h"
 
 namespace bruma::reference {

@@ -17,10 +17,10 @@
 #include "base/error.h"
 #include "base/installation.h"
 #include "base/log.h"
+#include "base/memory.h"
 #include "io/atomic_file.h"
 #include "io/json/json_text.h"
 #include "io/picture/picture_file.h"
-#include "io/volume/raw_volume.h"
 #include "render/compose/presenter.h"
 #include "render/paths/path_trace_pass.h"
 
@@ -51,9 +51,9 @@ void check_room(glm::ivec2 pixels) {
     }
     // Picture, its copy in memory and the display values.
     const std::uint64_t needed = std::uint64_t(pixels.x) * pixels.y * (16 + 32 + 12);
-    if (needed > io::available_memory()) {
+    if (needed > available_memory()) {
         throw InputError(fmt::format("--size {}x{}: needs {} MiB, but {} MiB are free; choose less", pixels.x, pixels.y,
-                                     needed >> 20, io::available_memory() >> 20));
+                                     needed >> 20, available_memory() >> 20));
     }
 }
 

@@ -7,12 +7,12 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "io/builtin_name.h"
 #include "io/foreign_format.h"
 #include "io/mesh/ascii_triangles.h"
 #include "io/mesh/mesh_texture.h"
 #include "io/mesh/obj_mesh.h"
 #include "io/mesh/off_mesh.h"
-#include "io/volume/grid_source.h"
 #include "scene/builtin/mesh_builtin.h"
 
 namespace bruma::io {

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "io/blanks.h"
 #include "io/input_file.h"
-#include "io/volume/raw_volume.h"
 #include "scene/mesh/mesh_unit.h"
 
 namespace bruma::io {

@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "io/input_file.h"
-#include "io/volume/raw_volume.h"
 
 namespace bruma::io {
 namespace {

@@ -7,12 +7,12 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "io/picture/byte_reader.h"
 #include "io/picture/exr.h"
 #include "io/picture/exr_header.h"
 #include "io/picture/exr_unpacking.h"
 #include "io/picture/raster_picture.h"
-#include "io/volume/raw_volume.h"
 
 namespace bruma::io {
 namespace {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "io/picture/byte_reader.h"
 #include "io/picture/raster_picture.h"
-#include "io/volume/raw_volume.h"
 
 namespace bruma::io {
 namespace {

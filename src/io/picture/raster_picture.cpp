@@ -5,13 +5,13 @@
 #include <new>
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "io/picture/bmp_picture.h"
 #include "io/picture/byte_reader.h"
 #include "io/picture/netpbm_picture.h"
 #include "io/picture/picture_kind.h"
 #include "io/picture/png_jpeg_picture.h"
 #include "io/picture/tga_picture.h"
-#include "io/volume/raw_volume.h"
 
 namespace bruma::io {
 namespace {

@@ -10,8 +10,6 @@
 namespace bruma::io {
 namespace {
 
-constexpr std::string_view builtin_prefix = "builtin:";
-
 std::shared_ptr<const scene::VolumeGrid> known_grid(const scene::Scene* known, const scene::VolumeSource& source) {
     if (known == nullptr) {
         return nullptr;
@@ -26,14 +24,6 @@ std::shared_ptr<const scene::VolumeGrid> known_grid(const scene::Scene* known, c
 }
 
 }  // namespace
-
-bool is_builtin(std::string_view file) {
-    return file.starts_with(builtin_prefix);
-}
-
-std::string builtin_name(std::string_view file) {
-    return std::string(file.substr(builtin_prefix.size()));
-}
 
 std::shared_ptr<const scene::VolumeGrid> load_grid(const scene::VolumeSource& source, const Progress& progress) {
     if (is_builtin(source.file)) {

@@ -1,15 +1,11 @@
 #pragma once
 #include <memory>
 
+#include "io/builtin_name.h"
 #include "io/progress.h"
 #include "scene/scene.h"
 
 namespace bruma::io {
-
-/// Whether a name means a volume or scene made by code, as in "builtin:bucky".
-bool is_builtin(std::string_view file);
-/// The part behind "builtin:".
-std::string builtin_name(std::string_view file);
 
 /// The samples of a source: a file relative to the working directory, or builtin:NAME. Remarks go to the log.
 /// Throws InputError; what `progress` throws passes through.

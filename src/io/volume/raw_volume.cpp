@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "io/input_file.h"
 #include "io/mesh/ascii_triangles.h"
 #include "io/volume/raw_name.h"

@@ -23,6 +23,4 @@ struct LoadedVolume {
 LoadedVolume load_raw_volume(const std::filesystem::path& path, const scene::VolumeSource& hints,
                              const Progress& progress = {});
 
-using bruma::available_memory;
-
 }  // namespace bruma::io

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "reference/clouds/light_of_sky.h"
 #include "reference/pixel_loop.h"
-#include "reference/sky/sky_light.h"
 #include "scene/sky/sky.h"
 
 namespace bruma::reference {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "reference/clouds/cloud_intervals.h"
 #include "reference/interpolation.h"
+#include "reference/planet_spheres.h"
 
 namespace bruma::reference {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "reference/clouds/cloud_intervals.h"
+#include "reference/planet_spheres.h"
 
 namespace bruma::reference {
 namespace {

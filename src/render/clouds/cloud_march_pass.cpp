@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "base/integer_hash.h"
+#include "render/blue_noise.h"
 #include "render/clouds/cloud_cells.h"
-#include "render/compose/blue_noise.h"
 #include "render/view_rays.h"
 #include "scene/sky/sky.h"
 
@@ -26,7 +26,7 @@ void make_targets(CloudCounts& counts, glm::ivec2 pixels) {
 }
 
 /// Directions that spread the six samples of the cone: fixed numbers, the last one 0.
-std::array<glm::dvec3, 6> cone_kernel() {
+std::array<glm::dvec3, 6> sun_cone() {
     std::array<glm::dvec3, 6> kernel{};
     for (std::uint32_t i = 1; i <= 5; ++i) {
         const double z = 2.0 * unit_interval(pcg(2 * i - 2)) - 1.0;
@@ -163,7 +163,7 @@ void CloudMarchPass::set_sun_path(const PassAccess& access, gl::Program& program
     }
     access.read(handles.columns).up.bind(unit);
     program.set("depth_up", int(unit++));
-    const std::array<glm::dvec3, 6> kernel = cone_kernel();
+    const std::array<glm::dvec3, 6> kernel = sun_cone();
     for (int n = 0; n < 6; ++n) {
         program.set_at("cone_kernel", n, "", glm::vec3(kernel[std::size_t(n)]));
     }

@@ -7,8 +7,8 @@
 #include "render/clouds/cloud_passes.h"
 #include "render/clouds/cloud_sky_pass.h"
 #include "render/clouds/cloud_uniforms.h"
+#include "render/products/opaque_picture.h"
 #include "render/sky/sky_air.h"
-#include "render/surfaces/opaque_pass.h"
 #include "render/view.h"
 
 namespace bruma::render {

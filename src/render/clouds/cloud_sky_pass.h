@@ -1,6 +1,6 @@
 #pragma once
 #include "render/frame_graph.h"
-#include "render/sky/sky_light.h"
+#include "render/products/sky_light.h"
 #include "scene/scene.h"
 
 namespace bruma::render {

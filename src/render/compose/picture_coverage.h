@@ -2,7 +2,7 @@
 #include "gl/full_screen.h"
 #include "gl/query.h"
 #include "gl/shader_library.h"
-#include "render/march/march_pass.h"
+#include "render/products/picture.h"
 
 namespace bruma::render {
 

@@ -4,7 +4,7 @@
 
 #include "gl/full_screen.h"
 #include "gl/shader_library.h"
-#include "render/march/march_pass.h"
+#include "render/products/picture.h"
 #include "scene/rendering.h"
 
 namespace bruma::render {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "render/compose/blue_noise.h"
+#include "render/blue_noise.h"
 #include "render/view_rays.h"
 
 namespace bruma::render {

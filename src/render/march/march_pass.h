@@ -10,25 +10,13 @@
 #include "render/clouds/cloud_march_pass.h"
 #include "render/clouds/cloud_shafts_pass.h"
 #include "render/light/light_passes.h"
+#include "render/products/opaque_picture.h"
+#include "render/products/picture.h"
 #include "render/sky/sky_passes.h"
-#include "render/surfaces/opaque_pass.h"
 #include "render/view.h"
 #include "render/volume/volume_passes.h"
 
 namespace bruma::render {
-
-/// The picture in linear Rec.709 radiance, alpha = 1 - transmittance; bottom row first, as OpenGL has it.
-struct Picture {
-    gl::Texture color;
-    gl::Framebuffer framebuffer;
-};
-
-/// Samples taken and emptiness queries made, per pixel.
-struct SampleCounts {
-    gl::Texture counts;
-    gl::Texture picture;
-    gl::Framebuffer framebuffer;
-};
 
 /// Marches all shown volumes, up to the surfaces that the opaque pass found, over these and the background.
 class MarchPass {

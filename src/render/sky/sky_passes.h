@@ -3,9 +3,10 @@
 
 #include "gl/full_screen.h"
 #include "gl/shader_library.h"
+#include "render/products/opaque_picture.h"
+#include "render/products/sky_light.h"
+#include "render/products/sky_picture.h"
 #include "render/sky/sky_air.h"
-#include "render/sky/sky_light.h"
-#include "render/surfaces/opaque_pass.h"
 
 namespace bruma::render {
 
@@ -13,16 +14,6 @@ namespace bruma::render {
 struct SkyViewTables {
     gl::Texture clear;  ///< all but
     gl::Texture haze;   ///< what haze scatters directly, without its phase function
-};
-
-/// The sky behind everything and the surfaces before it, behind their air; alpha is their coverage. Bottom row first.
-/// As many layers as surfaces have; in those behind the first only pixels count that have a share there.
-struct SkyPicture {
-    struct Layer {
-        gl::Texture color;
-        gl::Framebuffer framebuffer;
-    };
-    std::vector<Layer> layers;
 };
 
 /// Sky, air and ground around a scene. Three tables depend on the air alone (that of light on the ground on the sky's

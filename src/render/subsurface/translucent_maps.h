@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gl/shader_library.h"
+#include "render/map_camera.h"
 #include "render/mesh/mesh_passes.h"
 #include "render/subsurface/body_frame.h"
 

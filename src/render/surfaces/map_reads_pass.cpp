@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "render/surfaces/sample_places.h"
-#include "render/surfaces/surface_layers.h"
+#include "render/products/sample_places.h"
+#include "render/products/surface_layers.h"
 #include "render/view_rays.h"
 
 namespace bruma::render {

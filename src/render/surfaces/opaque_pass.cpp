@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/surfaces/sample_places.h"
+#include "render/products/sample_places.h"
 #include "render/view_rays.h"
 
 namespace bruma::render {

@@ -8,23 +8,12 @@
 #include "render/clouds/cloud_shadows.h"
 #include "render/light/shadow_pass.h"
 #include "render/mesh/mesh_view.h"
-#include "render/sky/sky_light.h"
+#include "render/products/opaque_picture.h"
+#include "render/products/sky_light.h"
 #include "render/subsurface/translucent_passes.h"
-#include "render/surfaces/surface_layers.h"
 #include "scene/scene.h"
 
 namespace bruma::render {
-
-/// What the meshes show.
-struct OpaquePicture {
-    SurfaceLayers layers;
-    SampledSurfaces sampled;
-    gl::Texture thickness;  ///< R32F, mm: of a body that is seen through, while it is drawn
-    gl::Framebuffer thickness_framebuffer;
-    gl::Texture open;  ///< R32UI: 1 where maps left samples of a body open, while it is drawn
-    /// Pixels of translucent surfaces that no map sees well; their light is worked out one by one.
-    std::uint32_t unseen = 0;
-};
 
 /// Rasterises all shown meshes.
 class OpaquePass {

@@ -1,9 +1,9 @@
-#include "render/surfaces/surface_layers.h"
+#include "render/products/surface_layers.h"
 
 #include <algorithm>
 
 #include "base/log.h"
-#include "render/surfaces/sample_places.h"
+#include "render/products/sample_places.h"
 
 namespace bruma::render {
 

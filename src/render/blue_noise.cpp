@@ -1,4 +1,4 @@
-#include "render/compose/blue_noise.h"
+#include "render/blue_noise.h"
 
 #include <algorithm>
 #include <cmath>

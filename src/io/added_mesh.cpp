@@ -1,4 +1,4 @@
-#include "io/mesh/added_mesh.h"
+#include "io/added_mesh.h"
 
 #include "base/log.h"
 #include "io/mesh/mesh_source.h"

@@ -1,4 +1,4 @@
-#include "render/volume/volume_needs.h"
+#include "render/volume_needs.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "reference/sky/sky_light.h"
+#include "reference/clouds/light_of_sky.h"
 
 #include <algorithm>
 #include <numbers>
