@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/map_camera.h"
 #include "render/subsurface/body_frame.h"
 
 namespace bruma::render {

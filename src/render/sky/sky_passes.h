@@ -7,6 +7,7 @@
 #include "render/products/sky_light.h"
 #include "render/products/sky_picture.h"
 #include "render/sky/sky_air.h"
+#include "scene/scene.h"
 
 namespace bruma::render {
 
