@@ -56,8 +56,7 @@ Glow glow_at(vec3 middle, float segment, float rayleigh_phase, float haze_phase)
 
 vec3 sun_from_ground(vec3 at)
 {
-    float sun_climb = dot(up_at(at), to_sun);
-    return air.ground_albedo * 0.318309886 * max(sun_climb, 0.0) * sun_transmittance(0.0, sun_climb);
+    return air.ground_albedo * 0.318309886 * sun_on_ground(dot(up_at(at), to_sun));
 }
 
 void main()

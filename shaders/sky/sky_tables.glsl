@@ -35,11 +35,14 @@ float climb_of_irradiance_coordinate(float x)
     return root * abs(root);
 }
 
+// Irradiance of level ground by the sun.
+vec3 sun_on_ground(float sun_climb) { return max(sun_climb, 0.0) * sun_transmittance(0.0, sun_climb); }
+
 // Radiance of the ground under sun and sky.
 vec3 ground_radiance(float sun_climb)
 {
     vec3 sky = look_up(irradiance_table, vec2(irradiance_coordinate(sun_climb), 0.0));
-    return air.ground_albedo * 0.318309886 * (max(sun_climb, 0.0) * sun_transmittance(0.0, sun_climb) + sky);
+    return air.ground_albedo * 0.318309886 * (sun_on_ground(sun_climb) + sky);
 }
 
 // (1 - exp(-extinction length)) / extinction, without cancellation.

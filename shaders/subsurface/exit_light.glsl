@@ -13,6 +13,7 @@ const float enough_seen = 0.5;
 uniform sampler2DArray exit_depth;
 // What another program may round the other way.
 const float slack = 0.001;
+ivec2 last_exit_texel() { return textureSize(exit_depth, 0).xy - 1; }
 vec4 exit_texel(ivec3 at)
 {
     float stored = texelFetch(exit_depth, at, 0).x;
@@ -21,6 +22,7 @@ vec4 exit_texel(ivec3 at)
 #else
 uniform sampler2DArray radiosity;  // alpha: depth before the camera, 1e30 where nothing was worked out
 const float slack = 0.0;
+ivec2 last_exit_texel() { return textureSize(radiosity, 0).xy - 1; }
 vec4 exit_texel(ivec3 at) { return texelFetch(radiosity, at, 0); }
 #endif
 
@@ -35,13 +37,7 @@ float spline(float x)
 vec4 seen_by(int n, BodySurface s)
 {
     ExitCamera camera = exit_cameras[n];
-    ivec2 last = textureSize(
-#ifdef MAP_READS
-                     exit_depth,
-#else
-                     radiosity,
-#endif
-                     0).xy - 1;
+    ivec2 last = last_exit_texel();
     vec2 p = exit_place(camera, s.position);
     vec2 texel = floor(p);
     vec2 f = p - texel - 0.5;
@@ -63,7 +59,8 @@ vec4 seen_by(int n, BodySurface s)
     return seen;
 }
 
-// The maps that see a point, as bits. Loops over bits end; in software, branches not taken cost as much as those taken.
+// The maps that see a point, as bits; the squarest is the one whose view meets the surface most nearly at a right angle.
+// Loops over bits end; in software, branches not taken cost as much as those taken.
 struct MapsAround {
     int best;         // the squarest
     float squarest;   // its cosine

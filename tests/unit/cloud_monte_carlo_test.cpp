@@ -64,17 +64,32 @@ TEST(CloudMonteCarlo, AirBeforeTheCloud) {
     EXPECT_LE(farthest, 1100.0 + 1e-6);
 }
 
+/// A sun of irradiance 1 over black ground, no sky.
+CloudLight lone_sun(double climb) {
+    CloudLight light;
+    light.to_sun_world = {std::sqrt(1.0 - climb * climb), climb, 0.0};
+    light.sun_irradiance = [](double) { return glm::dvec3(1.0); };
+    light.ground_albedo = glm::dvec3(0.0);
+    return light;
+}
+
+/// Irradiance of level ground by scattered light beside that by the bare sun, by one direction, cosine-weighted for
+/// uniform `s` and `turn`.
+double scattered_down(const std::vector<CloudMedium>& media, const CloudLight& light, const glm::dvec3& at, double s,
+                      double turn, const MonteCarloOptions& options) {
+    const double phi = 2.0 * std::numbers::pi * turn;
+    const glm::dvec3 toward(std::sqrt(s) * std::cos(phi), std::sqrt(1.0 - s), std::sqrt(s) * std::sin(phi));
+    return std::numbers::pi * trace_paths(media, light, {at, toward, 0.0}, options).radiance.g / light.to_sun_world.y;
+}
+
 // Shelf: random paths. What of the sun's light reaches the ground, straight and scattered, in the mean over places: the
-// model that pictures take against paths of all orders from there, cosine-weighted.
+// model that pictures take against paths of all orders.
 TEST(CloudMonteCarlo, LightOnTheGroundBelowClouds) {
     for (const scene::CloudType type :
          {scene::CloudType::cumulus, scene::CloudType::stratocumulus, scene::CloudType::stratus}) {
         for (const double climb : {0.85, 0.35}) {
             const std::vector<CloudMedium> media{preset_medium(type, {0.0, 2.0, 0.0})};
-            CloudLight light;
-            light.to_sun_world = {std::sqrt(1.0 - climb * climb), climb, 0.0};
-            light.sun_irradiance = [](double) { return glm::dvec3(1.0); };
-            light.ground_albedo = glm::dvec3(0.0);
+            const CloudLight light = lone_sun(climb);
             double model = 0.0, straight = 0.0, paths = 0.0, squares = 0.0;
             constexpr int points = 400;
             for (int n = 0; n < points; ++n) {
@@ -83,11 +98,9 @@ TEST(CloudMonteCarlo, LightOnTheGroundBelowClouds) {
                 const double depth = optical_depth(media, at, light.to_sun_world, 64);
                 model += light_on_ground_below_clouds(depth, climb, media[0].optics) / points;
                 straight += std::exp(-depth) / points;
-                const double s = u(0.4301597090), phi = 2.0 * std::numbers::pi * u(0.8191725134);
-                const glm::dvec3 toward(std::sqrt(s) * std::cos(phi), std::sqrt(1.0 - s), std::sqrt(s) * std::sin(phi));
-                const auto result =
-                    trace_paths(media, light, {at, toward, 0.0}, {.samples = 16, .pixel = std::uint32_t(n)});
-                const double share = std::exp(-depth) + std::numbers::pi * result.radiance.g / climb;
+                const double share =
+                    std::exp(-depth) + scattered_down(media, light, at, u(0.4301597090), u(0.8191725134),
+                                                      {.samples = 16, .pixel = std::uint32_t(n)});
                 paths += share / points;
                 squares += share * share / points;
             }
@@ -108,18 +121,13 @@ TEST(CloudMonteCarlo, LightOnTheGroundBelowADeck) {
     for (const double depth : {1.0, 5.0, 25.0}) {
         for (const double climb : {0.85, 0.35}) {
             const std::vector<CloudMedium> media{homogeneous_layer(1000.0, 1300.0, depth / 300.0)};
-            CloudLight light;
-            light.to_sun_world = {std::sqrt(1.0 - climb * climb), climb, 0.0};
-            light.sun_irradiance = [](double) { return glm::dvec3(1.0); };
-            light.ground_albedo = glm::dvec3(0.0);
+            const CloudLight light = lone_sun(climb);
             constexpr int directions = 300;
             double paths = std::exp(-depth / climb);
             for (int n = 0; n < directions; ++n) {
-                const double s = (n + 0.5) / directions, phi = 2.0 * std::numbers::pi * std::fmod(0.618034 * n, 1.0);
-                const glm::dvec3 toward(std::sqrt(s) * std::cos(phi), std::sqrt(1.0 - s), std::sqrt(s) * std::sin(phi));
-                const auto result =
-                    trace_paths(media, light, {{0, 0, 0}, toward, 0.0}, {.samples = 64, .pixel = std::uint32_t(n)});
-                paths += std::numbers::pi * result.radiance.g / climb / directions;
+                paths += scattered_down(media, light, glm::dvec3(0.0), (n + 0.5) / directions,
+                                        std::fmod(0.618034 * n, 1.0), {.samples = 64, .pixel = std::uint32_t(n)}) /
+                         directions;
             }
             const double model = light_on_ground_below_clouds(depth / climb, climb, media[0].optics);
             // Of the light without clouds; two terms in direction leave that much under a thin deck and a low sun.

@@ -140,8 +140,7 @@ void CloudMarchPass::set_optics(gl::Program& program, const Parameters& paramete
     program.set("optics.extinction", float(optics.extinction_per_m));
     program.set("optics.albedo", float(optics.albedo));
     program.set("optics.lobes", glm::vec3(optics.forward_g, optics.backward_g, optics.forward_share));
-    program.set("optics.reduced", float(1.0 - optics.forward_share * optics.forward_g -
-                                        (1.0 - optics.forward_share) * optics.backward_g));
+    program.set("optics.reduced", float(1.0 - scene::mean_asymmetry(optics)));
     program.set("optics.octave", glm::vec3(optics.octave_strength, optics.octave_extinction, optics.octave_anisotropy));
     program.set("optics.ambient", float(optics.ambient));
     // Absorption counts density over the reference length; what is looked up is an optical depth.

@@ -165,8 +165,8 @@ void begin_radiosity(RadiosityMaps& maps, const ExitMaps& exits, Revision start)
     }
     const float nothing_there[4] = {0.0F, 0.0F, 0.0F, 1e30F};
     glClearTexImage(maps.mean.name(), 0, GL_RGBA, GL_FLOAT, nothing_there);
-    const glm::dvec3 size(exits.depth.size());
-    const std::size_t all = std::size_t(size.x * size.y * size.z) * sizeof(std::uint32_t);
+    const glm::ivec3 size = exits.depth.size();
+    const std::size_t all = std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z) * sizeof(std::uint32_t);
     if (maps.passes_of.bytes() != all) {
         maps.passes_of = gl::Buffer("passes of texels", all);
     }
