@@ -3,6 +3,8 @@
 
 #include "base/error.h"
 #include "reference/subsurface/dipole.h"
+#include "reference/subsurface/subsurface_random_walk.h"
+#include "scene/subsurface/energy_table.h"
 #include "subsurface_truth.h"
 
 namespace bruma::reference {
@@ -206,6 +208,24 @@ TEST(NormalisedDipole, ReturnsWhatARandomWalkReturns) {
         const double found = half_space(dipole, truth.eta, 0.0);
         // The table of factors and its interpolation are good to 1 %; four standard errors of the walks on top.
         EXPECT_NEAR(found, truth.walk[0], 0.011 * truth.walk[0] + 4.0 * truth.walk_error[0]) << truth.name;
+    }
+}
+
+// Shelf: random walks. The factors again, from the physics that they stand for.
+TEST(LongNormalisedDipole, FactorsAreThoseOfRandomWalks) {
+    constexpr int paths = 400'000;
+    constexpr double least_paths_of_the_table = 1e5, digits = 0.5e-4, sigmas = 4.0;
+    std::uint64_t seed = 7000;
+    for (const scene::EnergyRow& row : scene::energy_table) {
+        for (const double eta : {1.3, 1.5}) {
+            const SubsurfaceChannel channel{1.0 - row.albedo, row.albedo, 0.0, eta};
+            const Estimate walk = half_space_reflectance(channel, 1.0, paths, ++seed);
+            const double dipole = half_space(Dipole(channel, SubsurfaceModel::directional_dipole), eta, 0.0);
+            const double error_of_table = std::sqrt(walk.mean * (1.0 - walk.mean) / least_paths_of_the_table);
+            EXPECT_NEAR(eta == 1.3 ? row.at_1_3 : row.at_1_5, walk.mean / dipole,
+                        digits + sigmas * std::hypot(walk.standard_error, error_of_table) / dipole)
+                << "albedo " << row.albedo << ", index " << eta;
+        }
     }
 }
 

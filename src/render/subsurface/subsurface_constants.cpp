@@ -1,9 +1,10 @@
 #include "render/subsurface/subsurface_constants.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
+
+#include "scene/subsurface/energy_table.h"
 
 namespace bruma::render {
 namespace {
@@ -59,39 +60,22 @@ Moments moments(double n) {
     return above_1 >= 1.05 && above_1 <= 2.5 ? fitted_moments(n) : integrated_moments(n);
 }
 
-/// Diffuse reflectance of a half-space at normal incidence, random walks over directional dipole: what the dipole is to
-/// be multiplied by. Columns: reduced albedo, eta 1.3, eta 1.5.
-constexpr std::array<std::array<double, 3>, 18> normalisations{{{0.0, 0.0, 0.0},
-                                                                {0.02, 0.0108, 0.0103},
-                                                                {0.05, 0.0269, 0.0256},
-                                                                {0.1, 0.0537, 0.0511},
-                                                                {0.2, 0.1077, 0.1028},
-                                                                {0.3, 0.1631, 0.1563},
-                                                                {0.4, 0.2209, 0.2128},
-                                                                {0.5, 0.2834, 0.2731},
-                                                                {0.6, 0.3498, 0.3409},
-                                                                {0.7, 0.4228, 0.4197},
-                                                                {0.8, 0.5101, 0.5141},
-                                                                {0.9, 0.6137, 0.6361},
-                                                                {0.95, 0.6772, 0.7116},
-                                                                {0.98, 0.7283, 0.7662},
-                                                                {0.99, 0.7545, 0.7901},
-                                                                {0.995, 0.7700, 0.8043},
-                                                                {0.999, 0.7903, 0.8223},
-                                                                {0.9999, 0.8009, 0.8312}}};
-
+/// Between the rows of the table, from 0 where nothing scatters.
 double normalisation(double albedo, double eta) {
+    const auto& table = scene::energy_table;
     const double between = std::clamp((eta - 1.3) / 0.2, 0.0, 1.0);
-    const auto value = [&](const std::array<double, 3>& row) { return std::lerp(row[1], row[2], between); };
+    const auto value = [&](const scene::EnergyRow& row) { return std::lerp(row.at_1_3, row.at_1_5, between); };
     // The curve is straight in the albedo while this is small, and in -log10(1 - albedo) beyond.
     const auto place = [](double a) { return a <= 0.5 ? a : 0.5 - std::log10(1.0 - a) + std::log10(0.5); };
-    const double a = std::clamp(albedo, 0.0, normalisations.back()[0]);
-    std::size_t n = 1;
-    while (n + 1 < normalisations.size() && normalisations[n][0] < a) {
+    const double a = std::clamp(albedo, 0.0, table.back().albedo);
+    std::size_t n = 0;
+    while (n + 1 < table.size() && table[n].albedo < a) {
         ++n;
     }
-    const double low = place(normalisations[n - 1][0]), high = place(normalisations[n][0]);
-    return std::lerp(value(normalisations[n - 1]), value(normalisations[n]), (place(a) - low) / (high - low));
+    const scene::EnergyRow nothing{0.0, 0.0, 0.0};
+    const scene::EnergyRow& below = n == 0 ? nothing : table[n - 1];
+    const double low = place(below.albedo), high = place(table[n].albedo);
+    return std::lerp(value(below), value(table[n]), (place(a) - low) / (high - low));
 }
 
 }  // namespace
