@@ -252,7 +252,6 @@ TEST_F(Leaping, Test07MeasuredVolumesBitForBit) {
         const char* file;
         double from, share;
     };
-    bool any = false;
     for (const Case& c :
          {Case{"bonsai-zfp8_256x256x256_uint8.raw", 0.25, 0.5}, Case{"engine-zfp8_256x256x128_uint8.raw", 0.35, 0.5},
           Case{"CThead_256x256x113_uint16.raw", 0.4, 0.2}}) {
@@ -260,7 +259,6 @@ TEST_F(Leaping, Test07MeasuredVolumesBitForBit) {
         if (!grid) {
             GTEST_SKIP() << "BRUMA_DATA is not set to a folder with measured volumes";
         }
-        any = true;
         scene::TransferFunction tf;
         tf.opacity = {{c.from, 0.0}, {c.from + 0.05, 0.6}};
         tf.reference_length = grid->spacing.x;
@@ -273,7 +271,6 @@ TEST_F(Leaping, Test07MeasuredVolumesBitForBit) {
             EXPECT_GT(skipped, c.share) << c.file;
         }
     }
-    EXPECT_TRUE(any);
 }
 
 }  // namespace
